@@ -1,0 +1,56 @@
+// Boolean expressions over solids: n-ary union and intersection, complement, and difference built from them.
+// Immutable and shared: copying an expression copies a pointer.
+//
+// Rests on T§3.10.2 (the simplification inside a cell is in local_expression.h).
+// Guarantees: children of a union are never unions, children of an intersection never intersections, a complement's
+// child is never a complement: chains of | and & stay flat however the user built them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "numerics/vector.h"
+#include "solids/half_space.h"
+#include "solids/polyhedron.h"
+
+namespace starcell {
+
+class Expression {
+ public:
+  enum class Kind { polyhedron, half_space, set_union, intersection, complement };
+
+  explicit Expression(PolyhedronPtr solid);
+  explicit Expression(const HalfSpace& half_space);
+
+  /// Union and intersection of one or more expressions. Throws std::invalid_argument when empty.
+  static Expression set_union(const std::vector<Expression>& operands);
+  static Expression intersection(const std::vector<Expression>& operands);
+  static Expression difference(const Expression& a, const Expression& b);
+  Expression complement() const;
+
+  /// The image of every leaf under an affine map.
+  Expression transformed(const Eigen::Matrix4d& map) const;
+
+  Kind kind() const { return node_->kind; }
+  const PolyhedronPtr& polyhedron() const { return node_->polyhedron; }     ///< kind() == polyhedron
+  const HalfSpace& half_space() const { return *node_->half_space; }        ///< kind() == half_space
+  const std::vector<Expression>& operands() const { return node_->operands; }
+
+  /// A box that contains the solid. Throws UnboundedError if none can be derived.
+  Box3 bounding_box() const;
+  bool is_bounded() const;
+
+ private:
+  struct Node {
+    Kind kind;
+    PolyhedronPtr polyhedron;
+    std::shared_ptr<const HalfSpace> half_space;
+    std::vector<Expression> operands;
+  };
+  explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  static Expression combine(Kind kind, const std::vector<Expression>& operands);
+
+  std::shared_ptr<const Node> node_;
+};
+
+}  // namespace starcell
