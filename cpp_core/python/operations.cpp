@@ -1,0 +1,145 @@
+// Budget, Result and evaluate(): options in, a certified mesh out.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "interruptible.h"
+#include "mesh_writer.h"
+
+namespace starcell::python {
+namespace {
+
+/// None means no limit of the user's own: the core's default.
+Budget make_budget(std::optional<long long> max_depth, std::optional<long long> max_cells, std::optional<double> max_seconds,
+                   std::optional<long long> max_bytes) {
+  const auto positive = [](double value, const char* name) {
+    if (!(value > 0)) throw py::value_error(std::string(name) + ": must be greater than 0, or None");
+  };
+  Budget budget;
+  if (max_depth) {
+    positive(static_cast<double>(*max_depth), "max_depth");
+    budget.max_depth = static_cast<int>(std::min<long long>(*max_depth, 1000));  // float32 ends far above that
+  }
+  if (max_cells) {
+    positive(static_cast<double>(*max_cells), "max_cells");
+    budget.max_cells = static_cast<std::size_t>(*max_cells);
+  }
+  if (max_seconds) {
+    positive(*max_seconds, "max_seconds");
+    budget.max_seconds = *max_seconds;
+  }
+  if (max_bytes) {
+    positive(static_cast<double>(*max_bytes), "max_bytes");
+    budget.max_bytes = static_cast<std::size_t>(*max_bytes);
+  }
+  return budget;
+}
+
+Criterion read_criterion(const std::string& name) {
+  if (name == "trace") return Criterion::trace;
+  if (name == "complex-cell") return Criterion::complex_cell;
+  throw py::value_error("criterion: '" + name + "' is neither 'trace' nor 'complex-cell'");
+}
+
+bool read_raises(const std::string& name) {
+  if (name == "return") return false;
+  if (name == "raise") return true;
+  throw py::value_error("on_unresolved: '" + name + "' is neither 'return' nor 'raise'");
+}
+
+Options read_options(std::optional<double> error, std::optional<double> contact, const std::string& criterion, int threads,
+                     const std::optional<Budget>& budget) {
+  if (error && !(*error > 0)) throw py::value_error("error: must be greater than 0, infinite, or None");
+  if (contact && !(*contact > 0 && std::isfinite(*contact)))
+    throw py::value_error("contact: must be a finite number greater than 0, or None");
+  if (error && contact && !(*contact < *error)) throw py::value_error("contact: must be smaller than error");
+  if (threads < 0) throw py::value_error("threads: must not be negative; 0 takes all");
+  Options options;
+  options.error = error;
+  options.contact = contact;
+  options.criterion = read_criterion(criterion);
+  options.threads = threads;
+  if (budget) options.budget = *budget;
+  return options;
+}
+
+py::object evaluate_expression(const Expression& expression, std::optional<double> error, std::optional<double> contact,
+                               const std::string& criterion, int threads, const std::optional<Budget>& budget,
+                               const py::object& progress, const std::string& on_unresolved) {
+  const bool raises = read_raises(on_unresolved);
+  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
+  Options options = read_options(error, contact, criterion, threads, budget);
+  Result result = run_interruptible(progress, [&](const Progress& report) {
+    options.progress = report;
+    return evaluate(expression, options);
+  });
+  const bool unresolved = result.certificate.verdict == Verdict::unresolved;
+  py::object object = py::cast(std::move(result));
+  if (unresolved && raises) raise_unresolved(object, object.cast<const Result&>().certificate);
+  return object;
+}
+
+void bind_budget(py::module_& module) {
+  py::class_<Budget>(module, "Budget",
+      "Where a run stops and says \"unresolved\". max_depth: octree levels; max_cells: cells; max_seconds: seconds of wall "
+      "clock; max_bytes: estimated bytes of the octree. None leaves the default. Raises ValueError unless each is > 0.")
+      .def(py::init(&make_budget), py::kw_only(), py::arg("max_depth") = py::none(), py::arg("max_cells") = py::none(),
+           py::arg("max_seconds") = py::none(), py::arg("max_bytes") = py::none(),
+           "max_depth in levels, max_cells in cells, max_seconds in seconds, max_bytes in bytes.")
+      .def_readonly("max_depth", &Budget::max_depth, "Octree levels; 0: as many as float32 coordinates allow.")
+      .def_readonly("max_cells", &Budget::max_cells, "Number of cells (no units).")
+      .def_readonly("max_seconds", &Budget::max_seconds, "Seconds of wall clock; inf: no limit.")
+      .def_readonly("max_bytes", &Budget::max_bytes, "Estimated memory in bytes; 0: no limit.");
+}
+
+void bind_result(py::module_& module) {
+  py::class_<Result>(module, "Result",
+      "A closed, oriented, embedded triangle mesh in model units, and what is proved of it.")
+      .def_property_readonly("vertices", [](const py::object& self) {
+             return view_points(self.cast<const Result&>().vertices, self);
+           }, "(n, 3) float64, model units, read-only.")
+      .def_property_readonly("triangles", [](const py::object& self) {
+             return view_triangles(self.cast<const Result&>().triangles, self);
+           }, "(m, 3) int32, read-only: anticlockwise seen from outside.")
+      .def_readonly("certificate", &Result::certificate, "The Certificate of this mesh; its lengths are in model units.")
+      .def("as_solid", [](const Result& self) {
+             const py::gil_scoped_release release;
+             return PolyhedronSolid(Polyhedron::trusted(self.vertices, self.triangles));
+           },
+           "This mesh as a Polyhedron, in model units, for further operations. Their certificates are about this mesh as it "
+           "is: the distances to the original solids add up, error_bound by error_bound.")
+      .def("write", [](const Result& self, const std::filesystem::path& path) {
+             const py::gil_scoped_release release;
+             write_mesh(path, self.vertices, self.triangles);
+           }, py::arg("path"),
+           "Writes the mesh, in model units, as .off or .obj (text), .stl or .ply (binary; STL rounds to float32). Raises "
+           "ValueError for another extension, FileError if the file cannot be written; no half-written file stays.")
+      .def("__repr__", [](const Result& self) {
+        return "<starcell.Result: " + std::to_string(self.triangles.size()) + " triangles, " +
+               to_string(self.certificate.verdict) + ">";
+      });
+}
+
+}  // namespace
+
+void bind_operations(py::module_& module) {
+  bind_budget(module);
+  bind_result(module);
+  module.def("evaluate", &evaluate_expression, py::arg("expression"), py::arg("error") = py::none(),
+      py::arg("contact") = py::none(), py::arg("criterion") = "trace", py::arg("threads") = 0,
+      py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      "The boundary of a Solid as a Result: mesh and certificate.\n\n"
+      "expression: Solid. error: two-sided Hausdorff bound, model units; None: longest side of the bounding box / 128; inf: "
+      "topology only. contact: contact tolerance, model units, < error; None: error / 100. criterion: \"trace\" (DESIGN, "
+      "section 3) or \"complex-cell\" (T§3.4). threads: 0 for all; the result does not depend on it. budget: Budget. progress: "
+      "callable(fraction in [0, 1], stage: str) -> bool, called on this thread; False cancels, None goes on. on_unresolved: "
+      "\"return\" or \"raise\".\n\n"
+      "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever progress "
+      "raises, KeyboardInterrupt. Source: T§3.");
+}
+
+}  // namespace starcell::python
