@@ -1,0 +1,88 @@
+"""The commands of menu and toolbar: each makes one operation's object from what is selected."""
+import FreeCAD
+import FreeCADGui
+
+from . import operations, resources
+from .translation import translate
+
+
+class OperationCommand:
+    """Selection order is the order of the operands: Cut's first object is what is cut."""
+
+    def __init__(self, operation):
+        self.operation = operation
+        self.least = sum(role.least for role in operation.roles)
+
+    def GetResources(self):
+        least = translate("StarCell", "Select {} or more solids, meshes or containers of such").format(self.least)
+        return {"Pixmap": resources.icon(self.operation.command),
+                "MenuText": translate("StarCell", self.operation.title),
+                "ToolTip": "{}\n{}".format(translate("StarCell", self.operation.help), least)}
+
+    def IsActive(self):
+        return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog() and len(selected()) >= self.least
+
+    def Activated(self):
+        objects = selected()
+        if len(objects) < self.least:
+            FreeCAD.Console.PrintError(translate("StarCell", "{}: select at least {} objects first.").format(
+                translate("StarCell", self.operation.title), self.least) + "\n")
+            return
+        document = FreeCAD.ActiveDocument
+        names = ", ".join("FreeCAD.ActiveDocument.getObject({!r})".format(each.Name) for each in objects)
+        document.openTransaction(translate("StarCell", self.operation.title))
+        try:
+            # Through the interpreter, so that the macro recorder writes it down.
+            FreeCADGui.doCommand("from starcell_workbench import macros, {}".format(_module_name(self.operation)))
+            FreeCADGui.doCommand("macros.from_selection({}.{}, [{}])".format(
+                _module_name(self.operation), self.operation.__name__, names))
+        except Exception as problem:
+            document.abortTransaction()
+            FreeCAD.Console.PrintError("{}\n".format(problem))
+            return
+        document.commitTransaction()
+        made = document.ActiveObject
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(made)
+        if made.isValid():
+            from . import report
+
+            FreeCADGui.getMainWindow().statusBar().showMessage("{}: {}".format(made.Label, report.summary(made)), 10000)
+
+
+def selected():
+    """The selected objects in order of selection; of something picked through a link, the link."""
+    objects = []
+    for picked in FreeCADGui.Selection.getSelectionEx("", 0):
+        for path in picked.SubElementNames or ("",):
+            each = _pick(picked.Object, path)
+            if each not in objects:
+                objects.append(each)
+    return objects
+
+
+def _pick(top, path):
+    """The object at the end of a sub-object path, or the first link on the way to it: beyond a link, placements are its own."""
+    steps = path.split(".")[:-1]
+    for depth in range(len(steps) + 1):
+        each = top.getSubObject(".".join(steps[:depth]) + "." if depth else "", retType=1)
+        if each is None:
+            return top
+        if each.getLinkedObject(False) is not each:
+            return each
+    return each
+
+
+def _module_name(operation):
+    return operation.__module__.rpartition(".")[2]
+
+
+def names():
+    return [operation.command for operation in operations.ALL]
+
+
+def register():
+    """Makes the commands known to FreeCAD; their names in order."""
+    for operation in operations.ALL:
+        FreeCADGui.addCommand(operation.command, OperationCommand(operation))
+    return names()

@@ -1,0 +1,115 @@
+"""The functions for macros: each makes one parametric object, recomputes it, and returns it.
+
+    make_union([a, b, ...], error=None, contact=None, label=None, document=None)
+
+error, contact: mm as a number, or a text with a unit such as "0.1 mm"; None: automatic. Wrong arguments raise ValueError or
+TypeError and leave the document as it was. What goes wrong in the computation itself marks the object invalid, as for every
+FreeCAD object: `obj.isValid()` is False and the reason is in the report view.
+"""
+import math
+
+import FreeCAD
+
+from .boolean_feature import Cut, Intersection, Union
+
+
+def make_union(objects, error=None, contact=None, label=None, document=None):
+    """The union of two or more objects."""
+    return make(Union, {"Operands": objects}, error, contact, label, document)
+
+
+def make_cut(base, tools, error=None, contact=None, label=None, document=None):
+    """`base` without `tools`: one object, or a sequence of them."""
+    return make(Cut, {"Base": base, "Tools": tools}, error, contact, label, document)
+
+
+def make_intersection(objects, error=None, contact=None, label=None, document=None):
+    """What two or more objects have in common."""
+    return make(Intersection, {"Operands": objects}, error, contact, label, document)
+
+
+def make(operation, given, error=None, contact=None, label=None, document=None, **values):
+    """Any operation: given {role: object or sequence of objects}, values of its own parameters by name."""
+    links = _check_links(operation, given)
+    error, contact = _check_length("error", error), _check_length("contact", contact)
+    document = document or next(iter(links.values()))[0].Document
+    for each in [each for objects in links.values() for each in objects]:
+        if each.Document is not document:
+            raise ValueError("'{}' is in another document than the result, '{}': link it there first.".format(each.Label, document.Label))
+
+    obj = document.addObject("Mesh::FeaturePython", operation.command.replace("StarCell_", ""))
+    operation(obj)
+    if label:
+        obj.Label = label
+    container = _common_container(links)
+    if container:
+        container.addObject(obj)
+    for role in operation.roles:
+        setattr(obj, role.name, links[role.name] if role.many else links[role.name][0])
+    for name, value in values.items():
+        setattr(obj, name, value)
+    obj.Error = error or 0
+    obj.Contact = contact or 0
+    if FreeCAD.GuiUp and obj.ViewObject:
+        from .operation_view import OperationView
+
+        OperationView(obj.ViewObject)
+    for each in obj.Proxy.linked(obj):
+        each.Visibility = False
+    document.recompute()
+    return obj
+
+
+def from_selection(operation, objects, **options):
+    """The operation on a flat list of objects: a role of one takes the first, a role of many the rest."""
+    given, rest = {}, list(objects)
+    for role in operation.roles:
+        given[role.name] = rest if role.many else rest.pop(0) if rest else None
+    return make(operation, given, **options)
+
+
+def _check_links(operation, given):
+    links = {}
+    for role in operation.roles:
+        value = given[role.name]
+        objects = [value] if _is_object(value) else value
+        if isinstance(objects, str) or not hasattr(objects, "__iter__"):
+            raise TypeError("{}: expected document objects, not {!r}.".format(role.name, value))
+        objects = list(objects)
+        for each in objects:
+            if not _is_object(each):
+                raise TypeError("{}: expected document objects, not {!r}.".format(role.name, each))
+        if len(objects) < role.least or not role.many and len(objects) != 1:
+            raise ValueError("{}: expected {} {}, got {}.".format(
+                role.name, "at least" if role.many else "exactly", role.least, len(objects)))
+        links[role.name] = objects
+    return links
+
+
+def _is_object(value):
+    return hasattr(value, "isDerivedFrom") and value.isDerivedFrom("App::DocumentObject")
+
+
+def _check_length(name, value):
+    if value is None:
+        return None
+    try:
+        quantity = FreeCAD.Units.Quantity(value) if isinstance(value, str) else value
+    except Exception:
+        raise ValueError("{}: '{}' is no length; write for example \"0.1 mm\".".format(name, value)) from None
+    if hasattr(quantity, "Unit"):
+        if quantity.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
+            raise ValueError("{}: '{}' is no length; write for example \"0.1 mm\".".format(name, value))
+        quantity = quantity.Value
+    if isinstance(quantity, bool) or not isinstance(quantity, (int, float)):
+        raise TypeError("{}: expected a number of mm or a text with a unit, not {!r}.".format(name, value))
+    if not 0 < quantity < math.inf:
+        raise ValueError("{}: must be a length above 0, not {!r}; leave it out for an automatic one.".format(name, value))
+    return float(quantity)
+
+
+def _common_container(links):
+    """The App::Part that all operands lie in, if it is one and the same."""
+    around = {each.getParentGeoFeatureGroup() for objects in links.values() for each in objects}
+    container = around.pop()
+    return container if container and not around and container.isDerivedFrom("App::Part") else None

@@ -1,0 +1,155 @@
+"""FreeCAD's objects as operands: what each one holds, and how to hand it to the engine.
+
+Understands Part and PartDesign objects, bodies, meshes (StarCell's own results among them), App::Part and groups (the
+union of their visible solids), links and link arrays. Everything comes out in the coordinates of one frame, the container
+of the result, so placements of nested containers count and a result inside a moved container stays where it belongs.
+An operand is gathered in FreeCAD's main thread; its solid() makes no FreeCAD calls, so that it can run in a worker.
+"""
+import os
+from dataclasses import dataclass, field
+
+import FreeCAD
+import numpy
+import Part
+
+from .translation import translate
+
+
+class OperandError(RuntimeError):
+    """An object cannot be an operand; the message names it and says why."""
+
+
+@dataclass
+class Operand:
+    """One operand of an operation: a name, a box that contains it, and the solids whose union it is."""
+    label: str
+    box: FreeCAD.BoundBox = field(default_factory=FreeCAD.BoundBox)
+    leaves: list = field(default_factory=list)
+
+    def solid(self, starcell, error):
+        """The engine's solid; curved CAD faces may be approximated to `error` (mm)."""
+        try:
+            solids = [leaf.solid(starcell, error) for leaf in self.leaves]
+        except (starcell.Error, ValueError) as problem:
+            raise OperandError(translate("StarCell", "'{}' cannot be used: {}").format(self.label, problem)) from None
+        return solids[0] if len(solids) == 1 else starcell.union(solids)
+
+
+class _ShapeLeaf:
+    """A CAD shape, passed on bit by bit through a file of OpenCASCADE's binary format."""
+
+    def __init__(self, shape, path):
+        shape.exportBinary(path)
+        self.path = path
+
+    def solid(self, starcell, error):
+        return starcell.from_brep(self.path, error)
+
+
+class _MeshLeaf:
+    """A mesh: FreeCAD's float32 points, moved in double precision."""
+
+    def __init__(self, mesh, matrix):
+        still = mesh.copy()
+        still.Placement = FreeCAD.Placement()
+        points, facets = still.Topology
+        points = numpy.array([(p.x, p.y, p.z) for p in points], dtype=float).reshape(-1, 3)
+        map_ = numpy.array(matrix.A).reshape(4, 4)
+        self.vertices = points @ map_[:3, :3].T + map_[:3, 3]
+        self.triangles = numpy.array(facets, dtype=numpy.int32).reshape(-1, 3)
+
+    def box(self):
+        return FreeCAD.BoundBox(*self.vertices.min(axis=0), *self.vertices.max(axis=0))
+
+    def solid(self, starcell, error):
+        return starcell.Polyhedron(self.vertices, self.triangles)
+
+
+def gather(obj, result, folder):
+    """The Operand that `obj` is for the object `result`; shapes are written to files in `folder`. Raises OperandError."""
+    operand = Operand(obj.Label)
+    to_frame = frame(result).inverse() * frame(obj)
+    for path in _leaf_paths(obj, set()):
+        _add_leaf(operand, obj, path, to_frame, folder)
+    if not operand.leaves:
+        raise OperandError(translate("StarCell", "'{}' has no solid: an operand is a solid of Part or PartDesign, a closed mesh, "
+                                                 "or a container or link of such.").format(obj.Label))
+    return operand
+
+
+def frame(obj):
+    """The placement of the container that `obj` lies in."""
+    container = obj.getParentGeoFeatureGroup()
+    return container.getGlobalPlacement() if container else FreeCAD.Placement()
+
+
+def containers(obj):
+    """The containers around `obj`, inmost first: their placements move it."""
+    around = []
+    container = obj.getParentGeoFeatureGroup()
+    while container:
+        around.append(container)
+        container = container.getParentGeoFeatureGroup()
+    return around
+
+
+def _leaf_paths(obj, seen, path=""):
+    """Sub-object paths of everything visible under `obj` that holds a shape or a mesh: obj itself, if it does."""
+    leaf, matrix, _ = obj.getSubObject(path, retType=2)
+    if not (leaf.isValid() and leaf.getLinkedObject(True).isValid()):
+        raise OperandError(translate("StarCell", "'{}' has an error of its own; mend it first.").format(leaf.Label))
+    if _is_mesh(leaf) or _has_shape(leaf):
+        # A member of a group inside a container is listed under both.
+        key = (leaf.Document.Name, leaf.Name, tuple(matrix.A))
+        if key not in seen:
+            seen.add(key)
+            yield path
+        return
+    for name in leaf.getSubObjects():
+        if _is_visible(leaf, name):
+            yield from _leaf_paths(obj, seen, path + name)
+
+
+def _add_leaf(operand, obj, path, to_frame, folder):
+    leaf, matrix, _ = obj.getSubObject(path, retType=2)
+    if _is_mesh(leaf):
+        linked, beyond = leaf.getLinkedObject(True, FreeCAD.Matrix(), False)  # what a link adds to its own placement
+        mesh = linked.Mesh
+        if mesh.CountFacets == 0:
+            raise OperandError(translate("StarCell", "'{}' is an empty mesh.").format(leaf.Label))
+        operand.leaves.append(_MeshLeaf(mesh, to_frame.toMatrix() * matrix * beyond))
+        operand.box.add(operand.leaves[-1].box())
+        return
+    shape = Part.getShape(obj, path)
+    if shape.isNull() or not shape.Solids:
+        if path:
+            return  # sketches, datums and the like that live in a container
+        raise OperandError(_no_solid(leaf, shape))
+    shape.Placement = to_frame * shape.Placement
+    file = "{}-{}.bin".format(leaf.Name, len(os.listdir(folder)))
+    operand.leaves.append(_ShapeLeaf(shape, os.path.join(folder, file)))
+    operand.box.add(shape.BoundBox)
+
+
+def _no_solid(leaf, shape):
+    if shape.isNull():
+        return translate("StarCell", "'{}' has no solid: its shape is empty.").format(leaf.Label)
+    if shape.Shells:
+        return translate("StarCell", "'{}' is a surface, not a solid: make a solid of it first (Part > Create shape from mesh, "
+                                     "Convert to solid).").format(leaf.Label)
+    return translate("StarCell", "'{}' has no solid: it is a {}.").format(leaf.Label, shape.ShapeType.lower())
+
+
+def _is_mesh(obj):
+    return obj.getLinkedObject(True).isDerivedFrom("Mesh::Feature")
+
+
+def _has_shape(obj):
+    return obj.getLinkedObject(True).isDerivedFrom("Part::Feature")
+
+
+def _is_visible(parent, name):
+    answer = parent.isElementVisible(name.rstrip("."))
+    if answer >= 0:
+        return bool(answer)
+    return parent.getSubObject(name, retType=1).Visibility

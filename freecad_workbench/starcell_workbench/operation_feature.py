@@ -1,0 +1,185 @@
+"""The parametric object of every operation: its properties, its recompute, and what a new operation has to say of itself.
+
+An operation is a subclass that names its operands (roles), its own parameters, and the engine's call. The class is the
+proxy of a Mesh::FeaturePython, and its path is stored in documents: rename or move one only with a migration.
+All state is in properties. A recompute that fails raises, so that FreeCAD marks the object, and changes none of them.
+"""
+import tempfile
+import time
+from dataclasses import dataclass
+
+import FreeCAD
+
+from . import engine, mesh_transfer, operands, report, runner, settings
+from .translation import QT_TRANSLATE_NOOP, translate
+
+READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8  # FreeCAD's property attributes
+
+# Tessellating curved CAD faces may take this share of the error; the rest is left to the engine.
+TESSELLATION_SHARE = 0.25
+
+
+@dataclass(frozen=True)
+class Role:
+    """A property that links operands: one object, or a list of at least `least`."""
+    name: str
+    help: str
+    many: bool = True
+    least: int = 1
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A property that the user sets, with the engine's meaning in `help`."""
+    name: str
+    type: str
+    help: str
+    default: object = None
+
+
+class OperationFeature:
+    # What a subclass says of itself.
+    command = ""    # name of the command, of its icon, and start of the objects' names after "StarCell_"
+    title = ""      # menu text and first label
+    help = ""       # tooltip
+    roles = ()
+    parameters = ()
+
+    def compute(self, starcell, solids, values, options):
+        """The engine's call. solids: {role: solid or list of solids}; values: {parameter: value}; options: error, contact, ..."""
+        raise NotImplementedError
+
+    def reach(self, boxes):
+        """A box that the result will not leave, from {role: box or list of boxes}: it sets the automatic error."""
+        whole = FreeCAD.BoundBox()
+        for role in self.roles:
+            for box in boxes[role.name] if role.many else [boxes[role.name]]:
+                whole.add(box)
+        return whole
+
+    # The document object.
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    def add_properties(self, obj):
+        """Adds what is missing: to a new object all, to one of an older version what came later."""
+        def add(type_, name, group, help_, attributes=0, default=None):
+            if name not in obj.PropertiesList:
+                obj.addProperty(type_, name, group, help_, attributes)
+                if default is not None:
+                    setattr(obj, name, default)
+
+        # "Global" links may cross containers; placements are taken into account.
+        for role in self.roles:
+            add("App::PropertyLinkListGlobal" if role.many else "App::PropertyLinkGlobal", role.name, "Operation", role.help)
+        for parameter in self.parameters:
+            add(parameter.type, parameter.name, "Operation", parameter.help, default=parameter.default)
+        add("App::PropertyLength", "Error", "Precision", QT_TRANSLATE_NOOP(
+            "App::Property", "Largest distance between the mesh and the true surface, both ways; 0: automatic"))
+        add("App::PropertyLength", "Contact", "Precision", QT_TRANSLATE_NOOP(
+            "App::Property", "What is closer than this counts as touching; 0: a hundredth of the error"))
+        add("App::PropertyInteger", "ErrorDivisor", "Precision", QT_TRANSLATE_NOOP(
+            "App::Property", "The automatic error is the longest side divided by this"), default=settings.automatic_error_divisor())
+        add("App::PropertyLinkListGlobal", "Frames", "Operation", QT_TRANSLATE_NOOP(
+            "App::Property", "Containers whose placement moves an operand against the result"), HIDDEN | OUTPUT)
+        for type_, name, help_ in (
+                ("App::PropertyString", "Verdict", QT_TRANSLATE_NOOP("App::Property", "exact, contact or unresolved: what is proved of the mesh")),
+                ("App::PropertyLength", "ErrorBound", QT_TRANSLATE_NOOP("App::Property", "Proved distance between the mesh and the true surface")),
+                ("App::PropertyInteger", "Components", QT_TRANSLATE_NOOP("App::Property", "Number of connected components of the surface")),
+                ("App::PropertyIntegerList", "Genus", QT_TRANSLATE_NOOP("App::Property", "Handles of each component, the largest first")),
+                ("App::PropertyInteger", "Triangles", QT_TRANSLATE_NOOP("App::Property", "Number of triangles")),
+                ("App::PropertyVolume", "Volume", QT_TRANSLATE_NOOP("App::Property", "Volume of the mesh")),
+                ("App::PropertyFloat", "Seconds", QT_TRANSLATE_NOOP("App::Property", "Duration of the last run")),
+                ("App::PropertyString", "Report", QT_TRANSLATE_NOOP("App::Property", "The certificate in words")),
+                ("App::PropertyString", "Certificate", QT_TRANSLATE_NOOP("App::Property", "The certificate as JSON"))):
+            add(type_, name, "Certificate", help_, READ_ONLY | OUTPUT)
+
+    def linked(self, obj):
+        """The operands, role after role."""
+        return [each for role in self.roles for each in self.linked_by(obj, role)]
+
+    def linked_by(self, obj, role):
+        value = getattr(obj, role.name)
+        return list(value) if role.many else [value] if value else []
+
+    def execute(self, obj):
+        start = time.monotonic()
+        try:
+            starcell = engine.load()
+            with tempfile.TemporaryDirectory(prefix="starcell-") as folder:
+                given = self._gather(obj, folder)
+                work, asked = self._work(obj, starcell, given)
+                result = runner.run(work, obj.Label)
+            mesh = mesh_transfer.to_mesh(result.vertices, result.triangles)
+        except Exception as problem:
+            raise RuntimeError("{}: {}".format(obj.Label, problem)) from None
+        mesh.Placement = obj.Placement  # assigning a mesh overwrites the object's placement
+        obj.Mesh = mesh
+        report.publish(obj, result, asked, self.linked(obj), time.monotonic() - start)
+
+    def _gather(self, obj, folder):
+        """{role: Operand or list of Operands}, and the links to the containers whose placement matters."""
+        given = {}
+        for role in self.roles:
+            objects = self.linked_by(obj, role)
+            if len(objects) < role.least:
+                raise operands.OperandError(translate("StarCell", "{} needs at least {} object(s), and has {}.").format(
+                    role.name, role.least, len(objects)))
+            gathered = [operands.gather(each, obj, folder) for each in objects]
+            given[role.name] = gathered if role.many else gathered[0]
+        own = operands.containers(obj)
+        frames = {around.Name: around for each in self.linked(obj) for around in operands.containers(each) if around not in own}
+        if sorted(frames) != sorted(each.Name for each in obj.Frames):
+            obj.Frames = list(frames.values())
+        return given
+
+    def _work(self, obj, starcell, given):
+        """The call for the worker, free of FreeCAD, and the error asked for."""
+        error = obj.Error.Value or self._automatic_error(obj, given)
+        values = {parameter.name: _plain(getattr(obj, parameter.name)) for parameter in self.parameters}
+        options = {"error": error, "threads": settings.threads()}
+        if obj.Contact.Value:
+            options["contact"] = obj.Contact.Value
+
+        def work(progress):
+            if not progress(0.0, translate("StarCell", "reading the operands")):
+                return None
+            solids = _over(given, lambda operand: operand.solid(starcell, TESSELLATION_SHARE * error))
+            return self.compute(starcell, solids, values, dict(options, progress=progress))
+
+        return work, error
+
+    def _automatic_error(self, obj, given):
+        if obj.ErrorDivisor < 1:
+            raise ValueError(translate("StarCell", "ErrorDivisor must be at least 1, and is {}.").format(obj.ErrorDivisor))
+        box = self.reach(_over(given, lambda operand: operand.box))
+        return max(box.XLength, box.YLength, box.ZLength) / obj.ErrorDivisor
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+        if FreeCAD.GuiUp and obj.ViewObject and not obj.ViewObject.Proxy:  # saved by a session without a GUI
+            from .operation_view import OperationView
+
+            OperationView(obj.ViewObject)
+
+    # FreeCAD 0.20 calls the first pair, newer versions the second.
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    dumps = __getstate__
+    loads = __setstate__
+
+
+def _over(given, function):
+    """`function` of every Operand in {role: Operand or list of Operands}."""
+    return {name: [function(each) for each in value] if isinstance(value, list) else function(value) for name, value in given.items()}
+
+
+def _plain(value):
+    return value.Value if hasattr(value, "Value") else value

@@ -1,0 +1,78 @@
+"""How an operation's object shows itself: icon, operands as children, editing, and a colour of warning if unresolved."""
+import FreeCAD
+import FreeCADGui
+
+from . import resources
+
+WARNING_COLOR = (1.0, 0.60, 0.0)
+SHARP_EDGE_DEGREES = 30.0
+HIDDEN = 4
+
+
+class OperationView:
+    def __init__(self, vobj):
+        # The colour to return to when a result is resolved again.
+        vobj.addProperty("App::PropertyColor", "PlainColor", "StarCell", "", HIDDEN)
+        vobj.PlainColor = vobj.ShapeColor
+        vobj.CreaseAngle = SHARP_EDGE_DEGREES
+        vobj.Proxy = self
+
+    def attach(self, vobj):
+        self.obj = vobj.Object
+
+    def getIcon(self):
+        if self.obj.Verdict == "unresolved":
+            return resources.icon("StarCell_Unresolved")
+        return resources.icon(self.obj.Proxy.command)
+
+    def claimChildren(self):
+        return self.obj.Proxy.linked(self.obj)
+
+    def updateData(self, obj, name):
+        if name != "Verdict" or not hasattr(obj.ViewObject, "PlainColor"):
+            return
+        vobj = obj.ViewObject
+        flagged = _same(vobj.ShapeColor, WARNING_COLOR)
+        if obj.Verdict == "unresolved" and not flagged:
+            vobj.PlainColor = vobj.ShapeColor
+            vobj.ShapeColor = WARNING_COLOR
+        elif obj.Verdict != "unresolved" and flagged:
+            vobj.ShapeColor = vobj.PlainColor
+        vobj.signalChangeIcon()
+
+    def doubleClicked(self, vobj):
+        FreeCADGui.ActiveDocument.setEdit(vobj.Object)
+        return True
+
+    def setEdit(self, vobj, mode=0):
+        from .task_operation import OperationTask
+
+        if mode != 0 or FreeCADGui.Control.activeDialog():
+            return False
+        FreeCADGui.Control.showDialog(OperationTask(vobj.Object))
+        return True
+
+    def unsetEdit(self, vobj, mode=0):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        return True
+
+    def onDelete(self, vobj, subelements):
+        for each in vobj.Object.Proxy.linked(vobj.Object):
+            each.Visibility = True
+        return True
+
+    # All state is in properties. FreeCAD 0.20 calls the first pair, newer versions the second.
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    dumps = __getstate__
+    loads = __setstate__
+
+
+def _same(color, other):
+    return all(abs(a - b) < 0.01 for a, b in zip(color, other))

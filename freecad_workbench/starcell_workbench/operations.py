@@ -1,0 +1,4 @@
+"""Every operation of the workbench, in the order of menu and toolbar. A new one is its class, and its name here."""
+from .boolean_feature import Cut, Intersection, Union
+
+ALL = (Union, Cut, Intersection)

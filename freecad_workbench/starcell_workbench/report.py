@@ -1,0 +1,100 @@
+"""What was proved, on the object: the certificate as properties, as JSON, and in words."""
+import decimal
+import json
+
+import FreeCAD
+
+from . import mesh_transfer
+from .translation import translate
+
+
+def publish(obj, result, asked, linked, seconds):
+    """Fills the output properties of `obj`; warns in the report view if something is unresolved."""
+    certificate = result.certificate
+    obj.Verdict = certificate.verdict
+    obj.ErrorBound = certificate.error_bound
+    obj.Components = certificate.components
+    obj.Genus = list(certificate.genus)
+    obj.Triangles = len(result.triangles)
+    obj.Volume = mesh_transfer.volume(result.vertices, result.triangles)
+    obj.Seconds = seconds
+    obj.Certificate = to_json(certificate)
+    obj.Report = in_words(obj, certificate, asked, linked)
+    line = "{}: {}\n".format(obj.Label, summary(obj))
+    if certificate.verdict == "unresolved":
+        FreeCAD.Console.PrintWarning(line)
+    else:
+        FreeCAD.Console.PrintLog(line)
+
+
+def to_json(certificate):
+    """The certificate's fields as JSON text; lengths in mm, boxes as [lower, upper]."""
+    fields = {name: getattr(certificate, name) for name in (
+        "verdict", "error_bound", "requested_error", "contact_tolerance", "components", "genus", "euler_characteristic",
+        "tessellated", "contacts", "unresolved", "statistics")}
+    return json.dumps(fields, indent=1, default=_plain)
+
+
+def summary(obj):
+    """One line: verdict, bound, components, genus, triangles."""
+    certificate = json.loads(obj.Certificate)
+    text = translate("StarCell", "{}, within {}, {} component(s), genus {}, {} triangles").format(
+        obj.Verdict, length(obj.ErrorBound), obj.Components, ", ".join(map(str, obj.Genus)) or "-", obj.Triangles)
+    if obj.Verdict == "unresolved":
+        text += translate("StarCell", "; {} place(s) could not be resolved").format(len(certificate["unresolved"]))
+    return text
+
+
+def in_words(obj, certificate, asked, linked):
+    """The certificate for the person at the screen, a sentence a line."""
+    lines = [_VERDICTS[certificate.verdict]().format(length(certificate.error_bound), len(certificate.unresolved))]
+    if obj.Error.Value:
+        lines.append(translate("StarCell", "Error asked for: {}.").format(length(asked)))
+    else:
+        lines.append(translate("StarCell", "Error asked for: {} (automatic, longest side / {}).").format(length(asked), obj.ErrorDivisor))
+    if certificate.components:
+        lines.append(translate("StarCell", "{} component(s), genus {}; {} triangles, volume {:.6g} mm³, {:.2f} s.").format(
+            certificate.components, ", ".join(map(str, certificate.genus)), obj.Triangles, obj.Volume.Value, obj.Seconds))
+    else:
+        lines.append(translate("StarCell", "The result is empty."))
+    for name, deflection in certificate.tessellated:
+        lines.append(translate("StarCell", "Curved faces of {} were approximated; measured deviation {}, counted in the bound. The topology "
+                                           "is that of the approximation.").format(name or translate("StarCell", "an operand"), length(deflection)))
+    for each in linked:
+        inner = each.getLinkedObject(True)
+        if getattr(inner, "ErrorBound", None) is not None and inner.isDerivedFrom("Mesh::Feature"):
+            lines.append(translate("StarCell", "'{}' is taken as its mesh, which is within {} of its own true surface ({}).").format(
+                each.Label, length(inner.ErrorBound), inner.Verdict))
+    lines += _places(translate("StarCell", "Contact"), certificate.contacts)
+    lines += _places(translate("StarCell", "Unresolved"), certificate.unresolved)
+    return "\n".join(lines)
+
+
+_VERDICTS = {
+    "exact": lambda: translate("StarCell", "Exact: the mesh has the topology of the true surface, and lies within {0} of it."),
+    "contact": lambda: translate("StarCell", "Contact: parts touch. The mesh has the topology of the solids moved by at most the contact "
+                                             "tolerance, and lies within {0} of the true surface."),
+    "unresolved": lambda: translate("StarCell", "Unresolved: the mesh is closed and free of self-intersections, but in {1} place(s) nothing "
+                                                "is proved of its topology; a budget ran out."),
+}
+
+
+def length(value):
+    """A length (mm) with four digits, rounded up: a bound that is shown must hold."""
+    value = getattr(value, "Value", value)
+    return "{:g} mm".format(decimal.Context(prec=4, rounding=decimal.ROUND_CEILING).create_decimal_from_float(value))
+
+
+def _places(name, boxes, shown=3):
+    lines = []
+    for lower, upper in boxes[:shown]:
+        centre = [(a + b) / 2 for a, b in zip(lower, upper)]
+        lines.append(translate("StarCell", "{} near ({:.6g}, {:.6g}, {:.6g}).").format(name, *centre))
+    if len(boxes) > shown:
+        lines.append(translate("StarCell", "… and {} more.").format(len(boxes) - shown))
+    return lines
+
+
+def _plain(value):
+    """numpy's numbers and arrays for json."""
+    return value.tolist()
