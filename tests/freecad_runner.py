@@ -1,5 +1,6 @@
-# Executes one script inside FreeCAD and leaves its exit status in a file. `./run` copies this text behind a line that
-# sets STATUS_FILE and ARGV. It ends the process itself: FreeCAD would go on to a prompt, or run the script again.
+# Executes one script inside FreeCAD and leaves its exit status in a file, which holds "started" until then. `./run` copies
+# this text behind a line that sets STATUS_FILE and ARGV. It ends the process itself: FreeCAD would go on to a prompt, or run
+# the script again.
 import os
 import runpy
 import sys
@@ -22,10 +23,15 @@ def execute():
     return 0
 
 
+def leave(text):
+    with open(STATUS_FILE, "w") as file:
+        file.write(text)
+
+
 if not os.path.exists(STATUS_FILE):
-    code = execute()
+    leave("started")
+    code = execute() & 255
     sys.stdout.flush()
     sys.stderr.flush()
-    with open(STATUS_FILE, "w") as file:
-        file.write(str(code & 255))
-    os._exit(code & 255)
+    leave(str(code))
+    os._exit(code)
