@@ -19,18 +19,21 @@ PyObject* unresolved_error = nullptr;
 
 void bind_exceptions(py::module_& module) {
   // The translator registered last is asked first, so the base comes first.
-  const py::handle base = add<Error>(module, "Error", PyExc_Exception,
+  const py::handle base = add<Error>(
+      module, "Error", PyExc_Exception,
       "Base of StarCell's own errors. Each message says what, where, how many and what to do; lengths and places are in "
       "model units. Wrong arguments raise ValueError or TypeError instead.");
-  add<InvalidSolidError>(module, "InvalidSolidError", base,
+  add<InvalidSolidError>(
+      module, "InvalidSolidError", base,
       "The input is no closed, oriented, embedded 2-manifold. The message counts open edges, non-manifold edges and "
       "vertices, self-intersections and values that are not finite, and places the first of each in model units.");
-  add<UnboundedError>(module, "UnboundedError", base,
+  add<UnboundedError>(
+      module, "UnboundedError", base,
       "The expression has no bounded result, such as a half-space alone: it has no bounding box in model units.");
   add<CancelledError>(module, "CancelledError", base,
-      "The progress callback returned False. Nothing was returned; operands (of any shape) are unchanged.");
+                      "The progress callback returned False. Nothing was returned; operands (of any shape) are unchanged.");
   add<FileError>(module, "FileError", base,
-      "A file cannot be read or written; the message names the file, the place and the reason (units: none).");
+                 "A file cannot be read or written; the message names the file, the place and the reason (units: none).");
 
   unresolved_error = PyErr_NewExceptionWithDoc(
       "starcell.UnresolvedError",
@@ -42,7 +45,8 @@ void bind_exceptions(py::module_& module) {
 }
 
 void raise_unresolved(const py::object& result, const Certificate& certificate) {
-  const std::string message = std::to_string(certificate.unresolved.size()) +
+  const std::string message =
+      std::to_string(certificate.unresolved.size()) +
       " cells are unresolved: the budget ran out. Raise the budget or the error; the result so far is in `.result`.";
   py::object error = py::handle(unresolved_error)(message);
   error.attr("result") = result;

@@ -99,8 +99,11 @@ Bytes ply(const Vertices& vertices, const Triangles& triangles) {
 void write_mesh(const std::filesystem::path& path, const Vertices& vertices, const Triangles& triangles) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  Bytes (*format)(const Vertices&, const Triangles&) =
-      extension == ".off" ? off : extension == ".obj" ? obj : extension == ".stl" ? stl : extension == ".ply" ? ply : nullptr;
+  Bytes (*format)(const Vertices&, const Triangles&) = extension == ".off"   ? off
+                                                       : extension == ".obj" ? obj
+                                                       : extension == ".stl" ? stl
+                                                       : extension == ".ply" ? ply
+                                                                             : nullptr;
   if (!format) throw std::invalid_argument("path: the extension '" + extension + "' is none of .off, .obj, .stl, .ply");
   const Bytes bytes = format(vertices, triangles);
 

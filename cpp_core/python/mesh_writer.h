@@ -10,6 +10,7 @@
 namespace starcell::python {
 
 /// Chooses the format by the extension, any case. Throws std::invalid_argument for another one, FileError.
-void write_mesh(const std::filesystem::path& path, const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
+void write_mesh(const std::filesystem::path& path, const std::vector<Vec3>& vertices,
+                const std::vector<Triangle>& triangles);
 
 }  // namespace starcell::python

@@ -84,7 +84,8 @@ py::object evaluate_expression(const Expression& expression, std::optional<doubl
 }
 
 void bind_budget(py::module_& module) {
-  py::class_<Budget>(module, "Budget",
+  py::class_<Budget>(
+      module, "Budget",
       "Where a run stops and says \"unresolved\". max_depth: octree levels; max_cells: cells; max_seconds: seconds of wall "
       "clock; max_bytes: estimated bytes of the octree. None leaves the default. Raises ValueError unless each is > 0.")
       .def(py::init(&make_budget), py::kw_only(), py::arg("max_depth") = py::none(), py::arg("max_cells") = py::none(),
@@ -98,26 +99,31 @@ void bind_budget(py::module_& module) {
 
 void bind_result(py::module_& module) {
   py::class_<Result>(module, "Result",
-      "A closed, oriented, embedded triangle mesh in model units, and what is proved of it.")
-      .def_property_readonly("vertices", [](const py::object& self) {
-             return view_points(self.cast<const Result&>().vertices, self);
-           }, "(n, 3) float64, model units, read-only.")
-      .def_property_readonly("triangles", [](const py::object& self) {
-             return view_triangles(self.cast<const Result&>().triangles, self);
-           }, "(m, 3) int32, read-only: anticlockwise seen from outside.")
+                     "A closed, oriented, embedded triangle mesh in model units, and what is proved of it.")
+      .def_property_readonly(
+          "vertices", [](const py::object& self) { return view_points(self.cast<const Result&>().vertices, self); },
+          "(n, 3) float64, model units, read-only.")
+      .def_property_readonly(
+          "triangles", [](const py::object& self) { return view_triangles(self.cast<const Result&>().triangles, self); },
+          "(m, 3) int32, read-only: anticlockwise seen from outside.")
       .def_readonly("certificate", &Result::certificate, "The Certificate of this mesh; its lengths are in model units.")
-      .def("as_solid", [](const Result& self) {
-             const py::gil_scoped_release release;
-             return PolyhedronSolid(Polyhedron::trusted(self.vertices, self.triangles));
-           },
-           "This mesh as a Polyhedron, in model units, for further operations. Their certificates are about this mesh as it "
-           "is: the distances to the original solids add up, error_bound by error_bound.")
-      .def("write", [](const Result& self, const std::filesystem::path& path) {
-             const py::gil_scoped_release release;
-             write_mesh(path, self.vertices, self.triangles);
-           }, py::arg("path"),
-           "Writes the mesh, in model units, as .off or .obj (text), .stl or .ply (binary; STL rounds to float32). Raises "
-           "ValueError for another extension, FileError if the file cannot be written; no half-written file stays.")
+      .def(
+          "as_solid",
+          [](const Result& self) {
+            const py::gil_scoped_release release;
+            return PolyhedronSolid(Polyhedron::trusted(self.vertices, self.triangles));
+          },
+          "This mesh as a Polyhedron, in model units, for further operations. Their certificates are about this mesh as it "
+          "is: the distances to the original solids add up, error_bound by error_bound.")
+      .def(
+          "write",
+          [](const Result& self, const std::filesystem::path& path) {
+            const py::gil_scoped_release release;
+            write_mesh(path, self.vertices, self.triangles);
+          },
+          py::arg("path"),
+          "Writes the mesh, in model units, as .off or .obj (text), .stl or .ply (binary; STL rounds to float32). Raises "
+          "ValueError for another extension, FileError if the file cannot be written; no half-written file stays.")
       .def("__repr__", [](const Result& self) {
         return "<starcell.Result: " + std::to_string(self.triangles.size()) + " triangles, " +
                to_string(self.certificate.verdict) + ">";
@@ -129,16 +135,19 @@ void bind_result(py::module_& module) {
 void bind_operations(py::module_& module) {
   bind_budget(module);
   bind_result(module);
-  module.def("evaluate", &evaluate_expression, py::arg("expression"), py::arg("error") = py::none(),
+  module.def(
+      "evaluate", &evaluate_expression, py::arg("expression"), py::arg("error") = py::none(),
       py::arg("contact") = py::none(), py::arg("criterion") = "trace", py::arg("threads") = 0,
       py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
       "The boundary of a Solid as a Result: mesh and certificate.\n\n"
       "expression: Solid. error: two-sided Hausdorff bound, model units; None: longest side of the bounding box / 128; inf: "
       "topology only. contact: contact tolerance, model units, < error; None: error / 100. criterion: \"trace\" (DESIGN, "
-      "section 3) or \"complex-cell\" (T§3.4). threads: 0 for all; the result does not depend on it. budget: Budget. progress: "
+      "section 3) or \"complex-cell\" (T§3.4). threads: 0 for all; the result does not depend on it. budget: Budget. "
+      "progress: "
       "callable(fraction in [0, 1], stage: str) -> bool, called on this thread; False cancels, None goes on. on_unresolved: "
       "\"return\" or \"raise\".\n\n"
-      "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever progress "
+      "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever "
+      "progress "
       "raises, KeyboardInterrupt. Source: T§3.");
 }
 
