@@ -1,7 +1,6 @@
 // From a path to bytes to the reader of its format.
 #include "solids/mesh_reader.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -30,7 +29,8 @@ std::string read_bytes(const std::string& path) {
 
 TriangleSoup read_mesh(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const auto reader = extension == ".off" ? read_off : extension == ".stl" ? read_stl : extension == ".obj" ? read_obj
                       : extension == ".ply" ? read_ply : nullptr;
   if (!reader)

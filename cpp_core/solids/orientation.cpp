@@ -11,6 +11,7 @@
 #include <CGAL/Mpzf.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,7 +41,7 @@ bool runs_through(const Triangle& t, std::uint32_t u, std::uint32_t v) {
 // them, the running sum through one a triangle, so the error is below (n + 16) u S, S the sum of the absolute products.
 struct VolumeSum {
   Vec3 origin;
-  double value = 0.0, magnitude = 0.0;
+  double value = 0.0, magnitude = 0.0, extent = 0.0;
   std::size_t count = 0;
 
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -48,11 +49,13 @@ struct VolumeSum {
     value += p.dot(q.cross(r));
     const Vec3 aq = q.cwiseAbs(), ar = r.cwiseAbs();
     magnitude += p.cwiseAbs().dot(Vec3(aq[1] * ar[2] + aq[2] * ar[1], aq[2] * ar[0] + aq[0] * ar[2], aq[0] * ar[1] + aq[1] * ar[0]));
+    extent = std::max({extent, p.cwiseAbs().maxCoeff(), aq.maxCoeff(), ar.maxCoeff()});
     ++count;
   }
   int sign() const {
     const double bound = magnitude * (double(count) + 16.0) * 0x1.1p-53;  // a sixteenth more covers the rounding of the bound
-    if (!(magnitude > 1e-200 && magnitude < 1e300) || !(std::abs(value) > bound)) return 0;  // away from under- and overflow
+    // A product that underflows loses 2^-1074, times 1e50 still far below the bound.
+    if (!(magnitude > 1e-200 && extent < 1e50) || !(std::abs(value) > bound)) return 0;
     return value > 0 ? 1 : -1;
   }
 };

@@ -32,7 +32,8 @@ PlyProperty read_property(TextScanner& text) {
     text = ahead;
     property.is_list = true;
     property.count_type = read_type(text);
-    if (property.count_type == PlyType::kFloat32 || property.count_type == PlyType::kFloat64) text.fail("a list's length must be a whole number");
+    if (property.count_type == PlyType::kFloat32 || property.count_type == PlyType::kFloat64)
+      text.fail("a list's length must be a whole number");
   }
   property.type = read_type(text);
   property.name = next_word(text);

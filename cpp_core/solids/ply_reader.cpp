@@ -125,7 +125,8 @@ void read_faces(Values& values, const PlyElement& element, SoupBuilder& soup) {
       }
       soup.begin_polygon();
       for (std::uint64_t n = list_length(values, property); n > 0; --n)
-        if (const std::int64_t v = values.integer(property.type); !soup.corner(v)) values.fail("no vertex has the number " + std::to_string(v));
+        if (const std::int64_t v = values.integer(property.type); !soup.corner(v))
+          values.fail("no vertex has the number " + std::to_string(v));
       if (!soup.end_polygon()) values.fail("a face has fewer than three corners");
     }
 }

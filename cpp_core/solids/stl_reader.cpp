@@ -1,9 +1,8 @@
-// STL, binary and text. A file is binary exactly if its length is what its triangle count asks for (84 + 50 n bytes):
-// many binary files begin with "solid", as text does. Normals and attributes are skipped; every triangle brings its
-// own three vertices, which Polyhedron::make welds.
+// STL, binary and text. A file is binary if its length is what its triangle count asks for (84 + 50 n bytes), because
+// many binary files begin with "solid", as text does; one that does not begin so may have more bytes, which are ignored.
+// Normals and attributes are skipped; every triangle brings its own three vertices, which Polyhedron::make welds.
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "solids/errors.h"
 #include "solids/mesh_reader.h"
@@ -74,7 +73,7 @@ TriangleSoup read_stl(std::string_view bytes, const std::string& name) {
   if (bytes.size() >= 84) {
     const std::uint32_t count = little_endian(bytes.data() + 80);
     const std::uint64_t length = 84 + 50 * std::uint64_t(count);
-    if (length == bytes.size()) {
+    if (length == bytes.size() || (length < bytes.size() && count > 0 && !text)) {
       if (count > 0xffffffffu / 3) throw FileError(name + ": there are too many triangles.");
       return read_binary(bytes, count);
     }

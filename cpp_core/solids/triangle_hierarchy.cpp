@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace starcell {
 namespace {
@@ -15,12 +16,15 @@ namespace {
 constexpr std::size_t kTrianglesPerLeaf = 4;
 constexpr int kParallelLevels = 10;  // below this level a task is a few hundred triangles at least for big meshes
 
+constexpr float kLargest = std::numeric_limits<float>::max();
+
+float nearest(double x) { return static_cast<float>(std::clamp<double>(x, -kLargest, kLargest)); }
 float rounded_down(double x) {
-  const float f = static_cast<float>(x);
+  const float f = nearest(x);
   return f > x ? std::nextafterf(f, -INFINITY) : f;
 }
 float rounded_up(double x) {
-  const float f = static_cast<float>(x);
+  const float f = nearest(x);
   return f < x ? std::nextafterf(f, INFINITY) : f;
 }
 
@@ -62,8 +66,8 @@ void TriangleHierarchy::build(int level, std::size_t j) {
   for (int axis = 1; axis < 3; ++axis)
     if (all.upper[axis] - all.lower[axis] > all.upper[longest] - all.lower[longest]) longest = axis;
   const auto centre = [longest](const Leaf& leaf) {
-    // halved before the sum, so that the largest floats do not overflow into infinities that compare equal
-    return 0.5f * leaf.bounds.lower[longest] + 0.5f * leaf.bounds.upper[longest];
+    // Never a NaN, which would break the sort: infinite bounds (of doubles beyond float32) are cut, and the sum is of halves.
+    return 0.5f * std::max(leaf.bounds.lower[longest], -kLargest) + 0.5f * std::min(leaf.bounds.upper[longest], kLargest);
   };
   std::nth_element(leaves_.begin() + first, leaves_.begin() + begin(level + 1, 2 * j + 1), leaves_.begin() + last,
                    [&](const Leaf& a, const Leaf& b) {

@@ -61,14 +61,15 @@ bool separates(const Vec3& n, const Vec3* const s[3], const Vec3* const t[3]) {
 // right angle belong to triangles on different sides of a-b: the flat and the convex case.
 bool folded_over(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 e = b - a, p = c - a, q = d - a;
-  // The part of p and q across e, scaled by e·e: opposite directions certify it without the normals.
   const Vec3 m = e.cross(p), n = e.cross(q);
   const Vec3 ae = e.cwiseAbs(), ap = p.cwiseAbs(), aq = q.cwiseAbs();
   const auto permanent = [&](const Vec3& x) {
     return Vec3(ae[1] * x[2] + ae[2] * x[1], ae[2] * x[0] + ae[0] * x[2], ae[0] * x[1] + ae[1] * x[0]);
   };
-  // Every product of four differences passes through at most 4 + 2 + 2 + 3 = 11 roundings; 16 covers them.
-  if (m.dot(n) < -(2 * kError * permanent(ap).dot(permanent(aq)) + kTiny)) return false;
+  // Every product of four differences passes through at most 4 + 2 + 2 + 3 = 11 roundings; 16 covers them. A product of
+  // two that underflows loses up to 2^-1074, which the other factor, below 1e120, cannot bring up to 1e-190.
+  const bool in_range = ae.maxCoeff() < 1e50 && ap.maxCoeff() < 1e50 && aq.maxCoeff() < 1e50;
+  if (in_range && m.dot(n) < -(2 * kError * permanent(ap).dot(permanent(aq)) + 1e-190)) return false;
   if (CGAL::orientation(exact(a), exact(b), exact(c), exact(d)) != CGAL::COPLANAR) return false;
   return CGAL::coplanar_orientation(exact(a), exact(b), exact(c), exact(d)) == CGAL::POSITIVE;
 }

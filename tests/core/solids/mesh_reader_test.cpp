@@ -130,6 +130,7 @@ TEST(StlReader, TakesWhatExportersWrite) {
   EXPECT_EQ(read_stl("SOLID a # b\nFACET NORMAL -1.#IND nan 0\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID a\n", "x").triangles.size(), 1u);
   EXPECT_EQ(read_stl("  solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid\nsolid two\nendsolid two\n", "x").triangles.size(), 1u);
   EXPECT_EQ(read_stl("solid\nendsolid\n", "x").triangles.size(), 0u);
+  EXPECT_EQ(read_stl(stl_binary(float_mesh(), "padded") + std::string(100, '\0'), "x").triangles.size(), 70u);
 }
 
 TEST(StlReader, NamesWhatIsWrong) {

@@ -155,6 +155,22 @@ TEST(Polyhedron, AcceptsExtremeButFiniteSizes) {
   }
 }
 
+TEST(Polyhedron, AcceptsCoordinatesBeyondFloat32OnBothSides) {
+  // The search tree's float32 boxes are infinite here: from -inf to inf, or from the largest float to inf.
+  for (double size : {1e39, 1e200}) {
+    Mesh mesh = torus(40, 30);
+    for (Vec3& p : mesh.vertices) p *= size;
+    EXPECT_EQ(make(mesh)->triangles(), mesh.triangles);
+  }
+}
+
+TEST(Polyhedron, MixesVeryLargeAndVerySmall) {
+  // Products of differences under- and overflow; the exact predicates behind the floating-point proofs must decide.
+  const Mesh spike = {{{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}, {1e150, 1e150, 1e150}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  EXPECT_EQ(make(spike)->triangles(), spike.triangles);
+  EXPECT_EQ(make(flipped(spike))->triangles(), spike.triangles);
+}
+
 TEST(Polyhedron, RandomTrianglesNeverCrash) {
   std::mt19937 random(7);
   int accepted = 0;
