@@ -1,0 +1,59 @@
+#include "cad/binary_brep.h"
+
+#include <BinTools.hxx>
+#include <BinTools_LocationSet.hxx>
+#include <BinTools_ShapeSet.hxx>
+#include <sstream>
+
+#include "solids/errors.h"
+
+namespace starcell::cad {
+namespace {
+
+struct Selection {
+  int shape = 0, location = 0, orientation = 0;
+};
+
+Selection read_selection(std::istringstream& stream, int shapes, const std::string& path) {
+  const auto start = stream.tellg();
+  stream.seekg(0, std::ios::end);
+  const auto left = stream.tellg() - start;
+  stream.seekg(start);
+  Selection chosen;
+  if (left == 9) {  // BinTools::Write
+    chosen.orientation = stream.get();
+    BinTools::GetInteger(stream, chosen.shape);
+    BinTools::GetInteger(stream, chosen.location);
+    chosen.shape = shapes - chosen.shape + 1;
+  } else if (left == 12) {  // FreeCAD's exportBinary
+    BinTools::GetInteger(stream, chosen.shape);
+    BinTools::GetInteger(stream, chosen.location);
+    BinTools::GetInteger(stream, chosen.orientation);
+  } else {
+    throw FileError("'" + path + "' ends with " + std::to_string(left) +
+                    " bytes after its shapes, where binary BREP has 9 or FreeCAD's variant 12: it is damaged.");
+  }
+  return chosen;
+}
+
+}  // namespace
+
+TopoDS_Shape read_binary_brep(const std::string& bytes, const std::string& path) {
+  std::istringstream stream(bytes);
+  BinTools_ShapeSet set;
+  set.Read(stream);
+  if (!stream || set.NbShapes() == 0)
+    throw FileError("'" + path + "' is cut short or damaged: its binary BREP holds no shape.");
+  const Selection chosen = read_selection(stream, set.NbShapes(), path);
+  if (chosen.shape < 1 || chosen.shape > set.NbShapes() || chosen.location < 0 ||
+      chosen.location > set.Locations().NbLocations() || chosen.orientation < TopAbs_FORWARD ||
+      chosen.orientation > TopAbs_EXTERNAL)
+    throw FileError("'" + path + "' names shape " + std::to_string(chosen.shape) + " at location " +
+                    std::to_string(chosen.location) + ", which it does not contain: it is damaged.");
+  TopoDS_Shape shape = set.Shape(chosen.shape);
+  shape.Location(set.Locations().Location(chosen.location), Standard_False);
+  shape.Orientation(static_cast<TopAbs_Orientation>(chosen.orientation));
+  return shape;
+}
+
+}  // namespace starcell::cad

@@ -1,0 +1,14 @@
+// OpenCASCADE shapes to solids: what read_cad does after reading. For code that has a shape in hand; includes OCC.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+
+#include "expression/expression.h"
+
+namespace starcell {
+
+/// As read_cad. The shape itself is not changed: its solids are copied before they are meshed.
+Expression import_shape(const TopoDS_Shape& shape, const std::string& name, double error);
+
+}  // namespace starcell
