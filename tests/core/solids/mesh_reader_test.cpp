@@ -111,7 +111,7 @@ TEST(ObjReader, NamesWhatIsWrong) {
 // STL holds floats: a mesh whose coordinates are floats comes back exactly.
 Mesh float_mesh() {
   Mesh mesh = torus(7, 5);
-  for (Vec3& p : mesh.vertices) p = p.cast<float>().cast<double>();
+  for (Vec3& p : mesh.vertices) p = (1024 * p).array().round() / 1024;
   return mesh;
 }
 
