@@ -29,14 +29,10 @@ class StarCellWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-def _register():
-    from starcell_workbench import resources
-    from starcell_workbench.translation import QT_TRANSLATE_NOOP
+from starcell_workbench import resources
+from starcell_workbench.translation import QT_TRANSLATE_NOOP
 
-    FreeCADGui.addLanguagePath(resources.path("translations"))
-    FreeCADGui.addPreferencePage(resources.ui("preferences"), QT_TRANSLATE_NOOP("QObject", "StarCell"))
-    FreeCADGui.addIconPath(resources.path("icons"))
-    FreeCADGui.addWorkbench(StarCellWorkbench())
-
-
-_register()
+FreeCADGui.addLanguagePath(resources.path("translations"))
+FreeCADGui.addIcon("preferences-starcell", resources.icon("StarCell"))
+FreeCADGui.addPreferencePage(resources.ui("preferences"), QT_TRANSLATE_NOOP("QObject", "StarCell"))
+FreeCADGui.addWorkbench(StarCellWorkbench())

@@ -6,10 +6,9 @@ error, contact: mm as a number, or a text with a unit such as "0.1 mm"; None: au
 TypeError and leave the document as it was. What goes wrong in the computation itself marks the object invalid, as for every
 FreeCAD object: `obj.isValid()` is False and the reason is in the report view.
 """
-import math
-
 import FreeCAD
 
+from . import lengths
 from .boolean_feature import Cut, Intersection, Union
 
 
@@ -31,7 +30,7 @@ def make_intersection(objects, error=None, contact=None, label=None, document=No
 def make(operation, given, error=None, contact=None, label=None, document=None, **values):
     """Any operation: given {role: object or sequence of objects}, values of its own parameters by name."""
     links = _check_links(operation, given)
-    error, contact = _check_length("error", error), _check_length("contact", contact)
+    error, contact = (None if value is None else lengths.parse_positive(value, name) for name, value in (("error", error), ("contact", contact)))
     document = document or next(iter(links.values()))[0].Document
     for each in [each for objects in links.values() for each in objects]:
         if each.Document is not document:
@@ -88,24 +87,6 @@ def _check_links(operation, given):
 
 def _is_object(value):
     return hasattr(value, "isDerivedFrom") and value.isDerivedFrom("App::DocumentObject")
-
-
-def _check_length(name, value):
-    if value is None:
-        return None
-    try:
-        quantity = FreeCAD.Units.Quantity(value) if isinstance(value, str) else value
-    except Exception:
-        raise ValueError("{}: '{}' is no length; write for example \"0.1 mm\".".format(name, value)) from None
-    if hasattr(quantity, "Unit"):
-        if quantity.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
-            raise ValueError("{}: '{}' is no length; write for example \"0.1 mm\".".format(name, value))
-        quantity = quantity.Value
-    if isinstance(quantity, bool) or not isinstance(quantity, (int, float)):
-        raise TypeError("{}: expected a number of mm or a text with a unit, not {!r}.".format(name, value))
-    if not 0 < quantity < math.inf:
-        raise ValueError("{}: must be a length above 0, not {!r}; leave it out for an automatic one.".format(name, value))
-    return float(quantity)
 
 
 def _common_container(links):

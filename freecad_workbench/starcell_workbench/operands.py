@@ -6,6 +6,8 @@ of the result, so placements of nested containers count and a result inside a mo
 An operand is gathered in FreeCAD's main thread; its solid() makes no FreeCAD calls, so that it can run in a worker.
 """
 import os
+import re
+import tempfile
 from dataclasses import dataclass, field
 
 import FreeCAD
@@ -36,11 +38,12 @@ class Operand:
 
 
 class _ShapeLeaf:
-    """A CAD shape, passed on bit by bit through a file of OpenCASCADE's binary format."""
+    """A CAD shape, passed on bit by bit through a file of OpenCASCADE's binary format. The engine reports it by the file's name."""
 
-    def __init__(self, shape, path):
-        shape.exportBinary(path)
-        self.path = path
+    def __init__(self, shape, label, folder):
+        own = tempfile.mkdtemp(dir=folder)
+        self.path = os.path.join(own, re.sub(r"[^\w .()+-]", "_", label)[:60].strip(" .") + ".bin")
+        shape.exportBinary(self.path)
 
     def solid(self, starcell, error):
         return starcell.from_brep(self.path, error)
@@ -126,8 +129,7 @@ def _add_leaf(operand, obj, path, to_frame, folder):
             return  # sketches, datums and the like that live in a container
         raise OperandError(_no_solid(leaf, shape))
     shape.Placement = to_frame * shape.Placement
-    file = "{}-{}.bin".format(leaf.Name, len(os.listdir(folder)))
-    operand.leaves.append(_ShapeLeaf(shape, os.path.join(folder, file)))
+    operand.leaves.append(_ShapeLeaf(shape, leaf.Label, folder))
     operand.box.add(shape.BoundBox)
 
 

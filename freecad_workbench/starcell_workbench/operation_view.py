@@ -1,11 +1,9 @@
 """How an operation's object shows itself: icon, operands as children, editing, and a colour of warning if unresolved."""
-import FreeCAD
 import FreeCADGui
 
-from . import resources
+from . import crease_lines, resources
 
 WARNING_COLOR = (1.0, 0.60, 0.0)
-SHARP_EDGE_DEGREES = 30.0
 HIDDEN = 4
 
 
@@ -14,11 +12,13 @@ class OperationView:
         # The colour to return to when a result is resolved again.
         vobj.addProperty("App::PropertyColor", "PlainColor", "StarCell", "", HIDDEN)
         vobj.PlainColor = vobj.ShapeColor
-        vobj.CreaseAngle = SHARP_EDGE_DEGREES
+        vobj.CreaseAngle = crease_lines.CREASE_DEGREES  # shades smoothly up to there
         vobj.Proxy = self
 
     def attach(self, vobj):
         self.obj = vobj.Object
+        self.task = None
+        self.creases = crease_lines.CreaseLines()
 
     def getIcon(self):
         if self.obj.Verdict == "unresolved":
@@ -29,6 +29,8 @@ class OperationView:
         return self.obj.Proxy.linked(self.obj)
 
     def updateData(self, obj, name):
+        if name == "Mesh":
+            self.creases.update(obj.ViewObject, obj.Mesh)
         if name != "Verdict" or not hasattr(obj.ViewObject, "PlainColor"):
             return
         vobj = obj.ViewObject
@@ -49,10 +51,12 @@ class OperationView:
 
         if mode != 0 or FreeCADGui.Control.activeDialog():
             return False
-        FreeCADGui.Control.showDialog(OperationTask(vobj.Object))
+        self.task = OperationTask(vobj.Object)
+        FreeCADGui.Control.showDialog(self.task)
         return True
 
     def unsetEdit(self, vobj, mode=0):
+        self.task = None
         if FreeCADGui.Control.activeDialog():
             FreeCADGui.Control.closeDialog()
         return True

@@ -15,17 +15,17 @@ class _Keys(QtCore.QObject):
     While a document recomputes, FreeCAD's progress bar swallows keys and clicks; the dialog needs ESC and its button.
     """
 
-    def __init__(self, dialog):
+    def __init__(self, dialog, cancel):
         super().__init__(dialog)
-        self.dialog = dialog
+        self.dialog, self.cancel = dialog, cancel
 
     def eventFilter(self, receiver, event):
         kind = event.type()
         if kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride) and event.key() == QtCore.Qt.Key_Escape:
-            self.dialog.cancel()
+            self.cancel()
             return True
         if kind == QtCore.QEvent.MouseButtonPress and isinstance(receiver, QtGui.QPushButton) and receiver.window() is self.dialog:
-            self.dialog.cancel()
+            self.cancel()
             return True
         return False
 
@@ -58,7 +58,7 @@ def wait(job, title, patience):
     timer = QtCore.QTimer(dialog)
     timer.timeout.connect(poll)
     timer.start(POLL_MILLISECONDS)
-    keys = _Keys(dialog)
+    keys = _Keys(dialog, job.cancelled.set)
     application = QtCore.QCoreApplication.instance()
     application.installEventFilter(keys)
     try:

@@ -1,10 +1,10 @@
 """What was proved, on the object: the certificate as properties, as JSON, and in words."""
-import decimal
+import itertools
 import json
 
 import FreeCAD
 
-from . import mesh_transfer
+from . import lengths, mesh_transfer
 from .translation import translate
 
 
@@ -32,39 +32,39 @@ def to_json(certificate):
     fields = {name: getattr(certificate, name) for name in (
         "verdict", "error_bound", "requested_error", "contact_tolerance", "components", "genus", "euler_characteristic",
         "tessellated", "contacts", "unresolved", "statistics")}
-    return json.dumps(fields, indent=1, default=_plain)
+    return json.dumps(fields, default=_plain)  # on one line: the property editor shows it
 
 
 def summary(obj):
     """One line: verdict, bound, components, genus, triangles."""
     certificate = json.loads(obj.Certificate)
-    text = translate("StarCell", "{}, within {}, {} component(s), genus {}, {} triangles").format(
-        obj.Verdict, length(obj.ErrorBound), obj.Components, ", ".join(map(str, obj.Genus)) or "-", obj.Triangles)
+    text = translate("StarCell", "{}, within {}; components: {}; genus: {}; triangles: {}").format(
+        obj.Verdict, lengths.show(obj.ErrorBound), obj.Components, genus(obj.Genus), obj.Triangles)
     if obj.Verdict == "unresolved":
-        text += translate("StarCell", "; {} place(s) could not be resolved").format(len(certificate["unresolved"]))
+        text += translate("StarCell", "; unresolved places: {}").format(len(certificate["unresolved"]))
     return text
 
 
 def in_words(obj, certificate, asked, linked):
     """The certificate for the person at the screen, a sentence a line."""
-    lines = [_VERDICTS[certificate.verdict]().format(length(certificate.error_bound), len(certificate.unresolved))]
+    lines = [_VERDICTS[certificate.verdict]().format(lengths.show(certificate.error_bound), len(certificate.unresolved))]
     if obj.Error.Value:
-        lines.append(translate("StarCell", "Error asked for: {}.").format(length(asked)))
+        lines.append(translate("StarCell", "Error asked for: {}.").format(lengths.show(asked)))
     else:
-        lines.append(translate("StarCell", "Error asked for: {} (automatic, longest side / {}).").format(length(asked), obj.ErrorDivisor))
+        lines.append(translate("StarCell", "Error asked for: {} (automatic, longest side / {}).").format(lengths.show(asked), obj.ErrorDivisor))
     if certificate.components:
-        lines.append(translate("StarCell", "{} component(s), genus {}; {} triangles, volume {:.6g} mm³, {:.2f} s.").format(
-            certificate.components, ", ".join(map(str, certificate.genus)), obj.Triangles, obj.Volume.Value, obj.Seconds))
+        lines.append(translate("StarCell", "Components: {}; genus: {}; triangles: {}; volume: {:.6g} mm³; {:.2f} s.").format(
+            certificate.components, genus(certificate.genus), obj.Triangles, obj.Volume.Value, obj.Seconds))
     else:
         lines.append(translate("StarCell", "The result is empty."))
     for name, deflection in certificate.tessellated:
         lines.append(translate("StarCell", "Curved faces of {} were approximated; measured deviation {}, counted in the bound. The topology "
-                                           "is that of the approximation.").format(name or translate("StarCell", "an operand"), length(deflection)))
+                                           "is that of the approximation.").format(name or translate("StarCell", "an operand"), lengths.show(deflection)))
     for each in linked:
         inner = each.getLinkedObject(True)
         if getattr(inner, "ErrorBound", None) is not None and inner.isDerivedFrom("Mesh::Feature"):
             lines.append(translate("StarCell", "'{}' is taken as its mesh, which is within {} of its own true surface ({}).").format(
-                each.Label, length(inner.ErrorBound), inner.Verdict))
+                each.Label, lengths.show(inner.ErrorBound), inner.Verdict))
     lines += _places(translate("StarCell", "Contact"), certificate.contacts)
     lines += _places(translate("StarCell", "Unresolved"), certificate.unresolved)
     return "\n".join(lines)
@@ -74,15 +74,15 @@ _VERDICTS = {
     "exact": lambda: translate("StarCell", "Exact: the mesh has the topology of the true surface, and lies within {0} of it."),
     "contact": lambda: translate("StarCell", "Contact: parts touch. The mesh has the topology of the solids moved by at most the contact "
                                              "tolerance, and lies within {0} of the true surface."),
-    "unresolved": lambda: translate("StarCell", "Unresolved: the mesh is closed and free of self-intersections, but in {1} place(s) nothing "
+    "unresolved": lambda: translate("StarCell", "Unresolved: the mesh is closed and free of self-intersections, but in some places ({1}) nothing "
                                                 "is proved of its topology; a budget ran out."),
 }
 
 
-def length(value):
-    """A length (mm) with four digits, rounded up: a bound that is shown must hold."""
-    value = getattr(value, "Value", value)
-    return "{:g} mm".format(decimal.Context(prec=4, rounding=decimal.ROUND_CEILING).create_decimal_from_float(value))
+def genus(handles):
+    """Handles of each component, equal neighbours together: '3, 0 (12 times)'."""
+    runs = [(value, len(list(run))) for value, run in itertools.groupby(handles)]
+    return ", ".join(str(value) if count == 1 else translate("StarCell", "{} ({} times)").format(value, count) for value, count in runs) or "-"
 
 
 def _places(name, boxes, shown=3):

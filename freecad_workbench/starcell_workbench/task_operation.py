@@ -1,12 +1,13 @@
 """The task panel of every operation: operands, precision, own parameters, and what was proved.
 
-Apply computes and stays; OK computes and closes unless that failed; Cancel takes back what was not applied.
+Apply computes and stays; OK computes and closes unless that failed; Cancel takes back what was not applied. An empty length
+is an automatic one.
 """
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from . import report, resources
+from . import lengths, report, resources
 from .commands import selected
 from .translation import translate
 
@@ -20,42 +21,45 @@ class OperationTask:
         self.form.setWindowIcon(QtGui.QIcon(resources.icon(self.feature.command)))
         self.form.addOperands.clicked.connect(self.add_operands)
         self.form.removeOperands.clicked.connect(self.remove_operands)
-        self.form.operands.model().rowsMoved.connect(self.show_roles)
+        self.form.apply.clicked.connect(self.apply)
+        # A dragged row is in place only after the drop.
+        settle = QtCore.QTimer(self.form, singleShot=True, interval=0)
+        settle.timeout.connect(self.show_roles)
+        for changed in (self.form.operands.model().rowsInserted, self.form.operands.model().rowsRemoved, self.form.operands.model().rowsMoved):
+            changed.connect(lambda *_: settle.start())
         self.form.operands.itemSelectionChanged.connect(self.select_in_view)
-        self.parameters = {parameter.name: self._add_parameter(parameter) for parameter in self.feature.parameters}
+        self.fields = {"Error": self.form.error, "Contact": self.form.contact}
+        self.fields.update((parameter.name, self._add_parameter(parameter)) for parameter in self.feature.parameters)
         self.read_object()
         obj.Document.openTransaction(translate("StarCell", "Edit {}").format(obj.Label))
 
     # What FreeCAD calls.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel)
-
-    def clicked(self, button):
-        if button == QtGui.QDialogButtonBox.Apply:
-            self.apply()
+        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
-        if self.apply():
-            self._leave()
-        return True
+        return self.apply() and self._leave()  # False keeps the panel open
 
     def reject(self):
-        self.obj.Document.abortTransaction()
-        self._leave()
-        return True
+        return self._leave()
 
     def _leave(self):
+        self.obj.Document.abortTransaction()
         FreeCADGui.getDocument(self.obj.Document.Name).resetEdit()
         FreeCADGui.Control.closeDialog()
+        return True
 
     # The work.
 
     def apply(self):
         """Writes the panel to the object and recomputes. Whether that went well."""
         document = self.obj.Document
-        self.write_object()
-        self.obj.touch()
+        try:
+            self.write_object()
+        except ValueError as problem:
+            self.show_problem(str(problem))
+            return False
         document.recompute()
         self.show_result()
         if self.obj.isValid():
@@ -67,37 +71,44 @@ class OperationTask:
         self.form.operands.clear()
         for each in self.feature.linked(self.obj):
             self._add_row(each)
-        self.show_roles()
-        self.form.error.setProperty("rawValue", self.obj.Error.Value)
-        self.form.contact.setProperty("rawValue", self.obj.Contact.Value)
-        for name, field in self.parameters.items():
-            field.setProperty("rawValue", getattr(self.obj, name).Value)
+        for name, field in self.fields.items():
+            value = getattr(self.obj, name)
+            field.setText("{!r} mm".format(value.Value) if value.Value else "")
         self.show_result()
 
     def write_object(self):
+        values = {name: self._length(name) for name in self.fields}
         rest = [self.obj.Document.getObject(row.data(QtCore.Qt.UserRole)) for row in self._rows()]
         for role in self.feature.roles:
             value = rest if role.many else rest.pop(0) if rest else None
             if self.feature.linked_by(self.obj, role) != (value if role.many else [value]):
                 setattr(self.obj, role.name, value)
-        for name, field in dict(self.parameters, Error=self.form.error, Contact=self.form.contact).items():
-            if getattr(self.obj, name).Value != field.property("rawValue"):
-                setattr(self.obj, name, field.property("rawValue"))
+        for name, value in values.items():
+            if getattr(self.obj, name).Value != value:
+                setattr(self.obj, name, value)
+
+    def _length(self, name):
+        text = self.fields[name].text().strip()
+        parse = lengths.parse_positive if name in ("Error", "Contact") else lengths.parse
+        return parse(text, name) if text else 0.0
 
     def show_result(self):
         obj, form = self.obj, self.form
         problem = "" if obj.isValid() else obj.getStatusString()
-        form.problem.setText(problem)
-        form.problem.setVisible(bool(problem))
-        form.result.setTitle(translate("StarCell", "Result of the last successful run") if problem else translate("StarCell", "Result"))
+        self.show_problem(problem)
+        form.result.setTitle(translate("StarCell", "Last good result") if problem else translate("StarCell", "Result"))
         form.verdict.setText(obj.Verdict)
-        form.bound.setText(report.length(obj.ErrorBound) if obj.Verdict else "")
+        form.bound.setText(lengths.show(obj.ErrorBound) if obj.Verdict else "")
         form.components.setText(str(obj.Components))
-        form.genus.setText(", ".join(map(str, obj.Genus)))
+        form.genus.setText(report.genus(obj.Genus))
         form.triangles.setText(str(obj.Triangles))
-        form.volume.setText(obj.Volume.UserString)
+        form.volume.setText("{:.6g} mm³".format(obj.Volume.Value))
         form.seconds.setText("{:.2f}".format(obj.Seconds))
         form.report.setText(obj.Report)
+
+    def show_problem(self, text):
+        self.form.problem.setText(text)
+        self.form.problem.setVisible(bool(text))
 
     # The list of operands.
 
@@ -107,19 +118,16 @@ class OperationTask:
             if each.Name in present:
                 continue
             if each.Document is not self.obj.Document or each is self.obj or self.obj in each.OutListRecursive:
-                self.form.problem.setText(translate("StarCell", "'{}' cannot be an operand: it depends on this result, or lives in "
-                                                                "another document.").format(each.Label))
-                self.form.problem.show()
+                self.show_problem(translate("StarCell", "'{}' cannot be an operand: it depends on this result, or lives in "
+                                                        "another document.").format(each.Label))
                 continue
             self._add_row(each)
-        self.show_roles()
 
     def remove_operands(self):
         for row in self.form.operands.selectedItems():
             self.form.operands.takeItem(self.form.operands.row(row))
-        self.show_roles()
 
-    def show_roles(self, *moved):
+    def show_roles(self):
         """Says in each row what the operand is for, where an operation has more than one role."""
         roles = list(self.feature.roles)
         for row in self._rows():
@@ -142,8 +150,7 @@ class OperationTask:
         row.setData(QtCore.Qt.UserRole, each.Name)
 
     def _add_parameter(self, parameter):
-        field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        field.setProperty("unit", getattr(self.obj, parameter.name).getUserPreferred()[2])
+        field = QtGui.QLineEdit(self.form)
         field.setToolTip(translate("App::Property", parameter.help))
         self.form.precisionLayout.insertRow(0, parameter.name, field)
         return field
