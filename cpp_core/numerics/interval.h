@@ -1,0 +1,36 @@
+// Intervals with directed rounding: the only arithmetic, beside exact predicates, that a certificate may rest on.
+//
+// Rests on Boost.Interval. `Interval` operations are only sound while a Rounding object is alive in the same thread;
+// keep its scope short and call nothing else inside it, because it changes the rounding mode of all double arithmetic.
+#pragma once
+
+#include <boost/numeric/interval.hpp>
+
+#include "numerics/vector.h"
+
+namespace starcell {
+
+namespace interval_detail {
+using Safe = boost::numeric::interval<
+    double, boost::numeric::interval_lib::policies<
+                boost::numeric::interval_lib::save_state<boost::numeric::interval_lib::rounded_transc_std<double>>,
+                boost::numeric::interval_lib::checking_base<double>>>;
+}
+
+using Interval = boost::numeric::interval_lib::unprotect<interval_detail::Safe>::type;
+
+/// Alive while interval arithmetic is done; restores the previous rounding mode.
+class Rounding {
+  interval_detail::Safe::traits_type::rounding mode_;
+};
+
+/// -1, +1, or 0 for "don't know".
+inline int certain_sign(const Interval& x) { return x.lower() > 0 ? 1 : x.upper() < 0 ? -1 : 0; }
+
+struct Interval3 {
+  Interval x, y, z;
+  Vec3 middle() const { return {boost::numeric::median(x), boost::numeric::median(y), boost::numeric::median(z)}; }
+  const Interval& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+
+}  // namespace starcell

@@ -1,0 +1,198 @@
+#include "subdivision/cell_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numerics/predicates.h"
+#include "subdivision/grid_line.h"
+
+namespace starcell {
+namespace {
+
+Box3 facet_box(const FacetTable& table, std::uint32_t facet) {
+  Box3 box(table.corner(facet, 0));
+  box.extend(table.corner(facet, 1)).extend(table.corner(facet, 2));
+  return box;
+}
+
+}  // namespace
+
+std::uint32_t Restriction::slot_of(const CellProblem& problem, std::uint32_t facet) const {
+  const auto& solids = problem.expression.solids();
+  if (solids.size() == 1) return 0;
+  const std::uint32_t operand = table_.operand_of(facet);
+  return static_cast<std::uint32_t>(std::lower_bound(solids.begin(), solids.end(), operand) - solids.begin());
+}
+
+CellProblem Restriction::root(const LocalExpression& expression) const {
+  CellProblem problem;
+  problem.cell = {{0, 0, 0}, std::uint32_t{1} << grid_.depth, 0};
+  problem.expression = expression;
+  problem.at_lower.assign(expression.solids().size(), 0);
+  const Box3 box = box_of(grid_, problem.cell);
+  for (std::size_t slot = 0; slot < expression.solids().size(); ++slot) {
+    const std::uint32_t operand = expression.solids()[slot];
+    for (std::uint32_t f = table_.first[operand]; f < table_.first[operand + 1]; ++f) {
+      // Outside far away: parity along the line that leaves the root's lower corner downwards.
+      const int sign = line_meets(table_, f, 0, box.min());
+      if (sign != 0 && crossing_below(table_, f, sign, box.min())) problem.at_lower[slot] ^= 1;
+      if (box_meets_facet(table_, f, box)) problem.facets.push_back(f);
+    }
+  }
+  simplify(problem);
+  return problem;
+}
+
+void Restriction::simplify(CellProblem& problem) const {
+  const std::size_t slots = problem.slots();
+  std::vector<State> states(slots);
+  bool fold = false;
+  std::size_t at = 0;
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    const std::uint32_t end = table_.first[problem.expression.solids()[slot] + 1];
+    const std::size_t begin = at;
+    while (at < problem.facets.size() && problem.facets[at] < end) {
+      if (slots == 1) {
+        at = problem.facets.size();
+        break;
+      }
+      at = std::lower_bound(problem.facets.begin() + static_cast<std::ptrdiff_t>(at), problem.facets.end(), end) -
+           problem.facets.begin();
+    }
+    if (at > begin) {
+      states[slot] = State::mixed;
+    } else {
+      states[slot] = problem.at_lower[slot] ? State::inside : State::outside;
+      fold = true;
+    }
+  }
+  if (!fold) return;
+  LocalExpression next = problem.expression.simplified(states);
+  // Solids can also vanish without being constant themselves: an inside union operand makes its siblings irrelevant.
+  std::vector<char> at_lower;
+  std::vector<std::uint32_t> facets;
+  std::size_t old_slot = 0;
+  for (const std::uint32_t solid : next.solids()) {
+    while (problem.expression.solids()[old_slot] != solid) ++old_slot;
+    at_lower.push_back(problem.at_lower[old_slot]);
+    const auto first = std::lower_bound(problem.facets.begin(), problem.facets.end(), table_.first[solid]);
+    const auto last = std::lower_bound(first, problem.facets.end(), table_.first[solid + 1]);
+    facets.insert(facets.end(), first, last);
+  }
+  problem.facets = std::move(facets);
+  problem.at_lower = std::move(at_lower);
+  problem.expression = std::move(next);
+}
+
+std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) const {
+  std::array<CellProblem, 8> result;
+  std::array<Box3, 8> boxes;
+  for (int i = 0; i < 8; ++i) {
+    result[i].cell = parent.cell.child(i);
+    result[i].expression = parent.expression;
+    boxes[i] = box_of(grid_, result[i].cell);
+  }
+  const std::size_t slots = parent.slots();
+  // The children's lower corners are reached from the parent's by seven segments: 0-1, then 0-2 and 1-3, then 0..3 up.
+  const Vec3 lower = boxes[0].min(), middle = boxes[7].min();
+  std::array<Vec3, 7> from;
+  const std::array<int, 7> axis{0, 1, 1, 2, 2, 2, 2};
+  for (int s = 0; s < 7; ++s) {
+    const int corner = s == 0 ? 0 : s < 3 ? s - 1 : s - 3;
+    from[s] = {corner & 1 ? middle[0] : lower[0], corner & 2 ? middle[1] : lower[1], lower[2]};
+  }
+  std::vector<std::uint8_t> flips(slots, 0);  // bit s: the solid flips along segment s
+  std::size_t slot = 0;
+  for (const std::uint32_t f : parent.facets) {
+    if (slots > 1)
+      while (f >= table_.first[parent.expression.solids()[slot] + 1]) ++slot;
+    const Box3 box = facet_box(table_, f);
+    int low = 0, high = 0;  // bit k: the facet's box reaches the lower / upper half along axis k
+    for (int k = 0; k < 3; ++k) {
+      if (box.min()[k] <= middle[k]) low |= 1 << k;
+      if (box.max()[k] > middle[k]) high |= 1 << k;
+    }
+    if ((low ^ high) == 7) {
+      result[high].facets.push_back(f);  // its box, and so the facet, meets one child only
+    } else {
+      for (int i = 0; i < 8; ++i) {
+        if ((i & ~high) || (~i & 7 & ~low)) continue;
+        if (box_meets_facet(table_, f, boxes[i])) result[i].facets.push_back(f);
+      }
+    }
+    for (int s = 0; s < 7; ++s) {
+      const int a = axis[s], x = (a + 1) % 3, y = (a + 2) % 3;
+      if (box.max()[x] <= from[s][x] || box.min()[x] > from[s][x] || box.max()[y] <= from[s][y] ||
+          box.min()[y] > from[s][y] || box.max()[a] <= from[s][a] || box.min()[a] > middle[a])
+        continue;
+      if (segment_crosses(table_, f, a, from[s], middle[a])) flips[slot] ^= static_cast<std::uint8_t>(1 << s);
+    }
+  }
+  for (std::size_t k = 0; k < slots; ++k) {
+    std::array<char, 8> inside{};
+    inside[0] = parent.at_lower[k];
+    inside[1] = inside[0] ^ (flips[k] & 1);
+    inside[2] = inside[0] ^ (flips[k] >> 1 & 1);
+    inside[3] = inside[1] ^ (flips[k] >> 2 & 1);
+    for (int i = 0; i < 4; ++i) inside[4 + i] = inside[i] ^ (flips[k] >> (3 + i) & 1);
+    for (int i = 0; i < 8; ++i) result[i].at_lower.push_back(inside[i]);
+  }
+  for (CellProblem& child : result) simplify(child);
+  return result;
+}
+
+std::vector<char> Restriction::membership_at(const CellProblem& problem, const GridPoint& p) const {
+  std::vector<char> inside = problem.at_lower;
+  Vec3 at = grid_.point(problem.cell.lower);
+  const Vec3 target = grid_.point(p);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (target[axis] == at[axis]) continue;
+    std::size_t slot = 0;
+    for (const std::uint32_t f : problem.facets) {
+      if (problem.slots() > 1)
+        while (f >= table_.first[problem.expression.solids()[slot] + 1]) ++slot;
+      if (segment_crosses(table_, f, axis, at, target[axis])) inside[slot] ^= 1;
+    }
+    at[axis] = target[axis];
+  }
+  return inside;
+}
+
+Membership Restriction::mask_at(const CellProblem& problem, const GridPoint& p) const {
+  const std::vector<char> inside = membership_at(problem, p);
+  Membership mask = 0;
+  for (std::size_t slot = 0; slot < inside.size(); ++slot)
+    if (inside[slot]) mask |= Membership{1} << slot;
+  return mask;
+}
+
+int Restriction::segment_crosses_facet(std::uint32_t facet, const Vec3& p, const Vec3& x) const {
+  const Vec3 &a = table_.corner(facet, 0), &b = table_.corner(facet, 1), &c = table_.corner(facet, 2);
+  const int at_p = side_grid(a, b, c, p), at_x = side(a, b, c, x);
+  if (at_p == 0 || at_x == 0) return -1;
+  if (at_p == at_x) return 0;
+  // The line p x against the three edges: one sign all around means through the facet.
+  const int s0 = side(p, x, a, b), s1 = side(p, x, b, c), s2 = side(p, x, c, a);
+  if (s0 == 0 || s1 == 0 || s2 == 0) return -1;
+  return s0 == s1 && s1 == s2;
+}
+
+bool Restriction::clear_of(std::uint32_t facet, const Vec3& x, double margin) const {
+  const Surface& s = table_.surfaces[table_.surface[facet]];
+  if (std::abs(s.normal.dot(x) - s.offset) > margin + s.thickness) return true;
+  const Box3 box = facet_box(table_, facet);
+  if (box.squaredExteriorDistance(x) > margin * margin * 1.0001) return true;
+  // Near the plane, but beside the facet: beyond one of its edges by more than the margin.
+  const Vec3 &a = table_.corner(facet, 0), &b = table_.corner(facet, 1), &c = table_.corner(facet, 2);
+  const Vec3 n = (b - a).cross(c - a);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& p = table_.corner(facet, k);
+    const Vec3 outward = (table_.corner(facet, (k + 1) % 3) - p).cross(n);
+    const double length = outward.norm();
+    if (length > 0 && outward.dot(x - p) > 2 * (margin + s.thickness) * length) return true;
+  }
+  return false;
+}
+
+}  // namespace starcell

@@ -1,0 +1,79 @@
+// The Boolean problem inside one cell: the facets that meet it, the expression that is left, and the membership of its
+// lower corner in every solid that is left.
+//
+// Rests on T§3.10 (cell culling, expression simplification), top down: a child's problem is made from its parent's and
+// nothing is ever searched for globally. Guarantees: `facets` are exactly the facets of the remaining solids that meet
+// the (perturbed) cell, ascending, hence grouped by solid in slot order.
+#pragma once
+
+#include <optional>
+
+#include "expression/local_expression.h"
+#include "subdivision/facets.h"
+#include "subdivision/grid.h"
+
+namespace starcell {
+
+struct CellProblem {
+  Cell cell;
+  std::vector<std::uint32_t> facets;
+  LocalExpression expression;
+  std::vector<char> at_lower;   ///< per slot: is the lower corner inside that solid
+
+  std::size_t slots() const { return expression.solids().size(); }
+};
+
+class Restriction {
+ public:
+  Restriction(const FacetTable& table, const Grid& grid) : table_(table), grid_(grid) {}
+
+  const FacetTable& table() const { return table_; }
+  const Grid& grid() const { return grid_; }
+
+  /// The whole problem. The root cell must contain the expression's solid in its interior.
+  CellProblem root(const LocalExpression& expression) const;
+
+  /// The eight children's problems, simplified.
+  std::array<CellProblem, 8> children(const CellProblem& parent) const;
+
+  /// Membership of a grid point of the cell (a corner of the cell or on its boundary or inside), per slot.
+  std::vector<char> membership_at(const CellProblem& problem, const GridPoint& p) const;
+  Membership mask_at(const CellProblem& problem, const GridPoint& p) const;
+
+  /// Membership per slot of a point inside the cell that is farther than `margin` from every facet of the cell but those
+  /// for which `skip` is true; skipped facets do not count. None if this cannot be certified for this point.
+  template <class Skip>
+  std::optional<Membership> mask_near(const CellProblem& problem, const Vec3& x, double margin, Skip skip) const;
+
+  /// The slot of a facet of the problem.
+  std::uint32_t slot_of(const CellProblem& problem, std::uint32_t facet) const;
+
+ private:
+  void simplify(CellProblem& problem) const;
+  /// 1 if the segment from the grid point p to x crosses the facet, 0 if not, -1 if that is degenerate.
+  int segment_crosses_facet(std::uint32_t facet, const Vec3& p, const Vec3& x) const;
+  /// Is x certainly farther than margin from the facet's plane, or from the facet?
+  bool clear_of(std::uint32_t facet, const Vec3& x, double margin) const;
+
+  const FacetTable& table_;
+  const Grid& grid_;
+};
+
+template <class Skip>
+std::optional<Membership> Restriction::mask_near(const CellProblem& problem, const Vec3& x, double margin,
+                                                 Skip skip) const {
+  const Vec3 corner = grid_.point(problem.cell.lower);
+  Membership mask = 0;
+  for (std::size_t slot = 0; slot < problem.slots(); ++slot)
+    if (problem.at_lower[slot]) mask |= Membership{1} << slot;
+  for (const std::uint32_t facet : problem.facets) {
+    if (skip(facet)) continue;
+    if (!clear_of(facet, x, margin)) return std::nullopt;
+    const int crosses = segment_crosses_facet(facet, corner, x);
+    if (crosses < 0) return std::nullopt;
+    if (crosses) mask ^= Membership{1} << slot_of(problem, facet);
+  }
+  return mask;
+}
+
+}  // namespace starcell

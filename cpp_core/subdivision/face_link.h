@@ -1,0 +1,21 @@
+// F-link: E on a face that only one solid's surface reaches.
+//
+// Rests on DESIGN §3 (F-link): on the face's plane a polyhedral surface is a set of polylines whose corners are mesh
+// edges, so following the mesh's own adjacency gives E∩f exactly, as arcs; a closed polyline is found as a leftover.
+#pragma once
+
+#include <optional>
+
+#include "subdivision/face_pieces.h"
+
+namespace starcell {
+
+/// The arcs that the pieces form; none if some of them close up inside the face, or a surface meets an edge twice.
+/// `flip`: the expression is the complement of the solid here, so the solid side changes.
+std::optional<std::vector<Arc>> link_pieces(const Restriction& restriction, const Face& face,
+                                            const std::vector<Piece>& pieces, bool flip);
+
+/// Turns an arc around: its other side is solid.
+void reverse(Arc& arc);
+
+}  // namespace starcell

@@ -1,0 +1,44 @@
+// The facets of all operands in one table: what the octree pushes down its cells.
+//
+// Facets of one operand are consecutive. A *surface* is a supporting plane with an identity: facets of one operand that
+// are coplanar to within rounding share it, and so do facets of different operands within the contact tolerance
+// (DESIGN §4). Every facet lies within `thickness` of its surface's canonical plane.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solids/polyhedron.h"
+
+namespace starcell {
+
+struct Surface {
+  Vec3 normal;             ///< unit length up to rounding; taken as exact
+  double offset = 0;       ///< the plane is normal . x = offset
+  double thickness = 0;    ///< |normal . x - offset| <= thickness on every facet of the surface
+  bool shared = false;     ///< facets of several operands lie on it: a possible contact
+};
+
+struct FacetTable {
+  std::vector<Vec3> points;
+  std::vector<Triangle> corners;
+  std::vector<Triangle> neighbours;      ///< across the edge from corner k to k+1
+  std::vector<std::uint32_t> surface;    ///< per facet
+  std::vector<std::uint32_t> first;      ///< facets of operand s are first[s] .. first[s+1]
+  std::vector<Surface> surfaces;
+  double contact_moved = 0;              ///< how far surface identity moved any operand
+
+  std::size_t size() const { return corners.size(); }
+  std::uint32_t operand_of(std::uint32_t facet) const;
+  const Vec3& corner(std::uint32_t facet, int k) const { return points[corners[facet][k]]; }
+  Vec3 area_vector(std::uint32_t facet) const {
+    const Vec3& a = corner(facet, 0);
+    return 0.5 * (corner(facet, 1) - a).cross(corner(facet, 2) - a);
+  }
+};
+
+/// Gathers the operands' facets and finds their surfaces. Facets of different operands are on one surface when each lies
+/// within `contact` of the other's plane and their boxes come that near.
+FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact);
+
+}  // namespace starcell

@@ -1,0 +1,76 @@
+// What the trace theorem (DESIGN §3) needs to know of E on the boundary of a cell: crossings of grid edges, and the arcs
+// that pair them on the faces.
+//
+// Notation: E the true surface, f a face, e an edge. On a face with normal axis a, b = a+1 and c = a+2 (cyclic) are its
+// own axes; seen from +a, b points right and c up. Arcs are directed so that the solid lies on their right, seen from +a.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "subdivision/grid.h"
+
+namespace starcell {
+
+/// A crossing of E with a grid line: one surface meets one line once, so line and surface identify it for every cell.
+struct Crossing {
+  std::uint8_t axis = 0;         ///< the line's direction
+  std::uint32_t i = 0, j = 0;    ///< the line's grid coordinates on axes axis+1 and axis+2
+  std::uint32_t surface = 0;
+  std::uint32_t low = 0, high = 0;  ///< the crossing is proved to lie between these grid coordinates
+  double at = 0;                 ///< where it is, in world coordinates, to rounding
+
+  friend bool operator==(const Crossing& x, const Crossing& y) {
+    return x.axis == y.axis && x.i == y.i && x.j == y.j && x.surface == y.surface;
+  }
+  friend bool operator<(const Crossing& x, const Crossing& y) {
+    if (x.axis != y.axis) return x.axis < y.axis;
+    if (x.i != y.i) return x.i < y.i;
+    if (x.j != y.j) return x.j < y.j;
+    return x.surface < y.surface;
+  }
+};
+
+/// A square of a grid plane.
+struct Face {
+  int axis = 0;
+  std::uint32_t at = 0;              ///< its coordinate along axis
+  std::uint32_t b = 0, c = 0;        ///< lower corner on axes axis+1, axis+2
+  std::uint32_t size = 0;
+
+  int b_axis() const { return (axis + 1) % 3; }
+  int c_axis() const { return (axis + 2) % 3; }
+  GridPoint corner(int bit_b, int bit_c) const {
+    GridPoint p{};
+    p[axis] = at;
+    p[b_axis()] = b + (bit_b ? size : 0);
+    p[c_axis()] = c + (bit_c ? size : 0);
+    return p;
+  }
+  friend bool operator==(const Face&, const Face&) = default;
+};
+
+/// Side 0, 1: axis a lower and upper; 2, 3: next axis; 4, 5: last.
+inline Face face_of(const Cell& cell, int side) {
+  const int axis = side / 2;
+  return {axis, cell.lower[axis] + (side % 2 ? cell.size : 0), cell.lower[(axis + 1) % 3], cell.lower[(axis + 2) % 3],
+          cell.size};
+}
+
+
+/// One arc of E on a face, from crossing to crossing: surfaces[k] carries the piece between bend k-1 and bend k.
+struct Arc {
+  Crossing start, end;
+  std::vector<Vec3> bends;
+  std::vector<std::uint32_t> surfaces;   ///< bends.size() + 1
+  std::uint32_t facet = 0;               ///< a facet under the first piece
+  bool contact = false;                  ///< a contact was resolved on this arc (DESIGN §4)
+};
+
+/// E on one face: certified to be exactly these disjoint arcs, and no closed curve.
+struct FaceTrace {
+  Face face;
+  std::vector<Arc> arcs;
+};
+
+}  // namespace starcell
