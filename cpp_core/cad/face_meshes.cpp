@@ -1,8 +1,6 @@
 #include "cad/face_meshes.h"
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
-#include <BRepLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
@@ -18,12 +16,6 @@ bool has_surface(const TopoDS_Face& face) {
 }
 
 }  // namespace
-
-TopoDS_Solid prepared(const TopoDS_Solid& solid) {
-  const TopoDS_Solid copy = TopoDS::Solid(BRepBuilderAPI_Copy(solid, Standard_True, Standard_False).Shape());
-  BRepLib::BuildCurves3d(copy);
-  return copy;
-}
 
 std::vector<FaceMesh> mesh_faces(const TopoDS_Solid& solid, const Resolution& resolution) {
   BRepTools::Clean(solid, Standard_True);

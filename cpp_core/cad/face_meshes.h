@@ -29,9 +29,6 @@ struct FaceMesh {
 /// `solid` is meshed in place: earlier triangulations are discarded.
 std::vector<FaceMesh> mesh_faces(const TopoDS_Solid& solid, const Resolution& resolution);
 
-/// A copy that shares no triangulation with the original, ready for mesh_faces: every edge has its curve in space.
-TopoDS_Solid prepared(const TopoDS_Solid& solid);
-
 /// "face 12 (cylinder)": what a message calls a face.
 std::string describe(const FaceMesh& face);
 

@@ -8,7 +8,7 @@
 
 namespace starcell {
 
-/// As read_cad. The shape itself is not changed: its solids are copied before they are meshed.
+/// As read_cad. Triangulations that the shape carries are replaced; its geometry is not touched.
 Expression import_shape(const TopoDS_Shape& shape, const std::string& name, double error);
 
 }  // namespace starcell

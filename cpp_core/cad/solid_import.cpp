@@ -1,12 +1,14 @@
 #include "cad/solid_import.h"
 
 #include <BRepBndLib.hxx>
+#include <BRepLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "cad/consistency.h"
 #include "cad/deflection.h"
 #include "cad/stitching.h"
 #include "solids/errors.h"
@@ -49,7 +51,10 @@ std::string too_far(const Deflection& measured, const TopoDS_Solid& solid, doubl
 
 PolyhedronPtr import_solid(const SolidPart& part, double error) {
   const double size = size_of(part);
-  const TopoDS_Solid solid = prepared(part.solid);
+  const TopoDS_Solid& solid = part.solid;
+  BRepLib::BuildCurves3d(solid);
+  if (const std::string defect = inconsistency(solid, size); !defect.empty())
+    throw InvalidSolidError("'" + part.name + "' is damaged: " + defect + ".");
   Resolution resolution{std::isfinite(error) ? error / 3 : size / 100, 0.5};
   resolution.length = std::clamp(resolution.length, finest_length, std::max(size / 20, finest_length));
   std::string reason;

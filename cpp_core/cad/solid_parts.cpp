@@ -100,7 +100,7 @@ std::vector<SolidPart> solid_parts(const TopoDS_Shape& shape, const std::string&
   if (parts.empty())
     throw InvalidSolidError("'" + name + "' (a " + describe(shape) + ") contains no solid, only wires, edges or vertices.");
   for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i].name = name + (parts.size() > 1 ? "#" + std::to_string(i + 1) : "") + parts[i].name;
+    parts[i].name = (parts.size() > 1 ? name + "#" + std::to_string(i + 1) : name) + parts[i].name;
   return parts;
 }
 

@@ -1,10 +1,13 @@
-#include "cad/binary_brep.h"
+#include "cad/brep_reader.h"
 
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <BinTools_LocationSet.hxx>
 #include <BinTools_ShapeSet.hxx>
 #include <sstream>
 
+#include "cad/well_formed.h"
 #include "solids/errors.h"
 
 namespace starcell::cad {
@@ -36,7 +39,26 @@ Selection read_selection(std::istringstream& stream, int shapes, const std::stri
   return chosen;
 }
 
+TopoDS_Shape well_formed(const TopoDS_Shape& shape, const std::string& path) {
+  if (const std::string defect = malformation(shape); !defect.empty())
+    throw FileError("'" + path + "' is damaged: it holds " + defect + ".");
+  return shape;
+}
+
 }  // namespace
+
+TopoDS_Shape read_text_brep(const std::string& bytes, const std::string& path) {
+  std::istringstream stream(bytes + "\n\n");  // so that only reading past the last word meets the end
+  stream.exceptions(std::ios::eofbit | std::ios::failbit | std::ios::badbit);
+  TopoDS_Shape shape;
+  try {
+    BRepTools::Read(shape, stream, BRep_Builder());
+  } catch (const std::ios::failure&) {
+    throw FileError("'" + path + "' is cut short or damaged: its BREP text breaks off in the middle of a shape.");
+  }
+  if (shape.IsNull()) throw FileError("'" + path + "' is damaged: its BREP text holds no shape.");
+  return well_formed(shape, path);
+}
 
 TopoDS_Shape read_binary_brep(const std::string& bytes, const std::string& path) {
   std::istringstream stream(bytes);
@@ -53,7 +75,7 @@ TopoDS_Shape read_binary_brep(const std::string& bytes, const std::string& path)
   TopoDS_Shape shape = set.Shape(chosen.shape);
   shape.Location(set.Locations().Location(chosen.location), Standard_False);
   shape.Orientation(static_cast<TopAbs_Orientation>(chosen.orientation));
-  return shape;
+  return well_formed(shape, path);
 }
 
 }  // namespace starcell::cad
