@@ -1,0 +1,190 @@
+#include "contouring/contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "contouring/embedding.h"
+#include "contouring/fan.h"
+#include "contouring/trace_points.h"
+#include "subdivision/loops.h"
+
+namespace starcell {
+namespace {
+
+// A minimal face and the one leaf whose arcs count on it.
+struct MinimalFace {
+  Face face;
+  const std::vector<Arc>* arcs;
+};
+
+class Contourer {
+ public:
+  Contourer(const Restriction& restriction, const Octree& tree, const ContourSettings& settings)
+      : restriction_(restriction), tree_(tree), settings_(settings), points_(restriction, result_.mesh.vertices) {}
+
+  Contour make() {
+    const std::vector<Leaf*> leaves = tree_.leaves();
+    std::vector<std::vector<MinimalFace>> faces(leaves.size() * 6);
+    for (std::size_t k = 0; k < leaves.size(); ++k)
+      for (int side = 0; side < 6; ++side) gather(*leaves[k], side, faces[6 * k + side]);
+    for (const auto& some : faces)
+      for (const MinimalFace& f : some)
+        for (const Arc& arc : *f.arcs) points_.announce(arc);
+    points_.place();
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      bool drawn = true;
+      for (int side = 0; side < 6; ++side)
+        for (const MinimalFace& f : faces[6 * k + side]) drawn = draw(f) && drawn;
+      if (!drawn) result_.failed.push_back(leaves[k]->problem.cell);
+    }
+    for (std::size_t k = 0; k < leaves.size(); ++k) fill(*leaves[k], &faces[6 * k]);
+    std::sort(result_.failed.begin(), result_.failed.end(), [](const Cell& a, const Cell& b) {
+      return a.lower != b.lower ? a.lower < b.lower : a.size < b.size;
+    });
+    result_.failed.erase(std::unique(result_.failed.begin(), result_.failed.end(),
+                                     [](const Cell& a, const Cell& b) { return a.lower == b.lower && a.size == b.size; }),
+                         result_.failed.end());
+    return std::move(result_);
+  }
+
+ private:
+  // The finest side of a face rules; between equals, the cell below it.
+  void gather(const Leaf& leaf, int side, std::vector<MinimalFace>& faces) const {
+    const Cell& cell = leaf.problem.cell;
+    Cell found;
+    const OctreeNode* beyond = tree_.across(cell, side, found);
+    if (beyond && beyond->children) {
+      gather_finer(*beyond, found, side, faces);
+      return;
+    }
+    if (beyond && beyond->leaf && found.size == cell.size && side % 2 == 0) {
+      const auto& arcs = beyond->leaf->arcs[side + 1];
+      if (!arcs.empty()) faces.push_back({face_of(cell, side), &arcs});
+      return;
+    }
+    if (!leaf.arcs[side].empty()) faces.push_back({face_of(cell, side), &leaf.arcs[side]});
+  }
+
+  void gather_finer(const OctreeNode& node, const Cell& at, int side, std::vector<MinimalFace>& faces) const {
+    const int axis = side / 2, opposite = side ^ 1;
+    if (node.children) {
+      for (int i = 0; i < 8; ++i)
+        if ((i >> axis & 1) == (side % 2 ? 0 : 1)) gather_finer((*node.children)[i], at.child(i), side, faces);
+    } else if (node.leaf && !node.leaf->arcs[opposite].empty()) {
+      faces.push_back({face_of(at, opposite), &node.leaf->arcs[opposite]});
+    }
+  }
+
+  bool draw(const MinimalFace& f) {
+    const Arc* key = f.arcs->data();
+    if (drawn_index_.contains(key)) return drawn_ok_[key];
+    std::vector<const Arc*> arcs;
+    for (const Arc& arc : *f.arcs) arcs.push_back(&arc);
+    std::vector<TracedArc> drawn;
+    const double tolerance = std::isinf(settings_.error) ? 1e300 : 0.2 * settings_.error;
+    const bool ok = points_.draw(f.face, arcs, tolerance, drawn);
+    drawn_index_[key] = drawn_.size();
+    drawn_ok_[key] = ok;
+    for (TracedArc& arc : drawn) drawn_.push_back(std::move(arc));
+    return ok;
+  }
+
+  void fill(const Leaf& leaf, const std::vector<MinimalFace>* faces) {
+    const Cell& cell = leaf.problem.cell;
+    std::vector<LoopArc> arcs;
+    for (int side = 0; side < 6; ++side)
+      for (const MinimalFace& f : faces[side])
+        for (const Arc& arc : *f.arcs) arcs.push_back({&arc, side, side % 2 == 0});
+    if (arcs.empty()) {
+      if (!leaf.sheets.empty()) result_.failed.push_back(cell);
+      return;
+    }
+    const auto loops = form_loops(arcs);
+    if (!loops || (leaf.resolved && loops->size() != leaf.sheets.size())) {
+      result_.failed.push_back(cell);
+      return;
+    }
+    const Box3 box = box_of(restriction_.grid(), cell);
+    const double margin = std::min(2 * restriction_.grid().unit, 0.25 * box.sizes().x());
+    std::vector<std::pair<std::size_t, std::size_t>> fans;
+    bool good = true;
+    for (const Loop& loop : *loops) {
+      const Sheet* sheet = sheet_of(leaf, loop);
+      good = good && (sheet || !leaf.resolved);
+      const DrawnLoop drawn = drawn_loop(loop, faces);
+      const Fan fan = make_fan(restriction_.table(), box, sheet ? *sheet : Sheet(), drawn, result_.mesh.vertices, margin,
+                               settings_.pull);
+      if (fan.bound > settings_.error) good = false;
+      result_.bound = std::max(result_.bound, fan.bound);
+      const std::size_t first = result_.mesh.triangles.size();
+      emit(drawn, fan);
+      fans.emplace_back(first, result_.mesh.triangles.size() - first);
+    }
+    const Triangle* triangles = result_.mesh.triangles.data();
+    for (std::size_t a = 0; a < fans.size() && good; ++a)
+      for (std::size_t b = a + 1; b < fans.size() && good; ++b)
+        good = !fans_meet(result_.mesh.vertices, triangles + fans[a].first, fans[a].second, triangles + fans[b].first,
+                          fans[b].second);
+    if (!good) result_.failed.push_back(cell);
+  }
+
+  static const Sheet* sheet_of(const Leaf& leaf, const Loop& loop) {
+    if (leaf.sheets.size() == 1) return &leaf.sheets.front();
+    for (const Sheet& sheet : leaf.sheets)
+      for (const LoopArc& a : loop)
+        if (std::binary_search(sheet.crossings.begin(), sheet.crossings.end(), a.arc->start) ||
+            std::binary_search(sheet.crossings.begin(), sheet.crossings.end(), a.arc->end))
+          return &sheet;
+    return nullptr;
+  }
+
+  const TracedArc& traced(const LoopArc& a, const std::vector<MinimalFace>* faces) const {
+    for (const MinimalFace& f : faces[a.side])
+      if (a.arc >= f.arcs->data() && a.arc < f.arcs->data() + f.arcs->size())
+        return drawn_[drawn_index_.at(f.arcs->data()) + static_cast<std::size_t>(a.arc - f.arcs->data())];
+    return drawn_.front();
+  }
+
+  DrawnLoop drawn_loop(const Loop& loop, const std::vector<MinimalFace>* faces) const {
+    DrawnLoop result;
+    for (const LoopArc& a : loop) {
+      const TracedArc& arc = traced(a, faces);
+      const std::size_t n = arc.surfaces.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        result.vertices.push_back(arc.vertices[a.reversed ? n - k : k]);
+        result.surfaces.push_back(arc.surfaces[a.reversed ? n - 1 - k : k]);
+      }
+      result.gap = std::max(result.gap, arc.gap);
+    }
+    return result;
+  }
+
+  void emit(const DrawnLoop& loop, const Fan& fan) {
+    SurfaceMesh& mesh = result_.mesh;
+    const auto apex = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(fan.apex);
+    const std::size_t n = loop.vertices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      mesh.triangles.push_back({apex, loop.vertices[k], loop.vertices[(k + 1) % n]});
+      mesh.surface.push_back(fan.on_planes ? loop.surfaces[k] : no_surface);
+    }
+  }
+
+  const Restriction& restriction_;
+  const Octree& tree_;
+  const ContourSettings& settings_;
+  Contour result_;
+  TracePoints points_;
+  std::vector<TracedArc> drawn_;
+  std::unordered_map<const Arc*, std::size_t> drawn_index_;
+  std::unordered_map<const Arc*, bool> drawn_ok_;
+};
+
+}  // namespace
+
+Contour contour(const Restriction& restriction, const Octree& tree, const ContourSettings& settings) {
+  return Contourer(restriction, tree, settings).make();
+}
+
+}  // namespace starcell

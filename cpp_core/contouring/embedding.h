@@ -1,0 +1,17 @@
+// Exact tests that triangles do not meet, on the coordinates as they are and as float32.
+#pragma once
+
+#include "contouring/surface_mesh.h"
+
+namespace starcell {
+
+/// Pairs of triangles that meet outside shared vertices and edges: indices of the triangles involved, ascending.
+/// `rounded`: on float32 coordinates.
+std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                             bool rounded);
+
+/// Does any triangle of one fan meet one of the other? Both index `vertices`; they share no vertex.
+bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,
+               std::size_t count_b);
+
+}  // namespace starcell

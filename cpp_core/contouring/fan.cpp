@@ -1,0 +1,147 @@
+#include "contouring/fan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace starcell {
+namespace {
+
+class FanMaker {
+ public:
+  FanMaker(const FacetTable& table, const Box3& cell, const Sheet& sheet, const DrawnLoop& loop,
+           const std::vector<Vec3>& vertices, double margin, double pull)
+      : table_(table), cell_(cell), sheet_(sheet), loop_(loop), vertices_(vertices), margin_(margin), pull_(pull) {
+    centroid_ = Vec3::Zero();
+    for (const std::uint32_t v : loop.vertices) centroid_ += vertices[v];
+    centroid_ /= static_cast<double>(loop.vertices.size());
+  }
+
+  Fan make() {
+    switch (sheet_.shape) {
+      case Sheet::Shape::planar: return cone(centroid_);
+      case Sheet::Shape::crease: return crease();
+      case Sheet::Shape::corner: return cone(sheet_.apex);
+      case Sheet::Shape::slab: return slab();
+      case Sheet::Shape::loose: break;
+    }
+    return anything();
+  }
+
+ private:
+  Vec3 clamped(const Vec3& p) const {
+    const Vec3 m = Vec3::Constant(margin_);
+    return p.cwiseMax(cell_.min() + m).cwiseMin(cell_.max() - m);
+  }
+
+  // E is the cone from `tip`: the fan from there deviates as its loop does, and as its own tip was moved.
+  Fan cone(const Vec3& tip) {
+    Vec3 wanted = tip;
+    if (sheet_.contact && sheet_.shape == Sheet::Shape::corner) {
+      const Vec3 inward = centroid_ - tip;
+      if (inward.norm() > 0) wanted += inward * (pull_ / inward.norm());
+    }
+    Fan fan;
+    fan.apex = clamped(wanted);
+    const double moved = (fan.apex - tip).norm();
+    fan.bound = std::max(loop_.gap, moved);
+    fan.on_planes = !(moved > 1e-12 * std::max(tip.cwiseAbs().maxCoeff(), 1e-300)) && !sheet_.contact;
+    if (sheet_.shape == Sheet::Shape::planar && fan.on_planes) fan.on_planes = loop_.gap <= 1e-12 * scale();
+    return fan;
+  }
+
+  double scale() const { return std::max(cell_.min().cwiseAbs().maxCoeff(), cell_.max().cwiseAbs().maxCoeff()); }
+
+  // The two bends where the loop changes planes span the common line.
+  Fan crease() {
+    std::vector<Vec3> ends;
+    const std::size_t n = loop_.vertices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3& p = vertices_[loop_.vertices[k]];
+      if (std::all_of(sheet_.surfaces.begin(), sheet_.surfaces.end(), [&](std::uint32_t id) {
+            const Surface& s = table_.surfaces[id];
+            return std::abs(s.normal.dot(p) - s.offset) <= (sheet_.contact ? 2 * pull_ : 1e-12 * scale()) + s.thickness;
+          }))
+        ends.push_back(p);
+    }
+    if (ends.size() != 2) return anything();
+    return cone(0.5 * (ends[0] + ends[1]));
+  }
+
+  bool faces_direction(const Vec3& apex) const {
+    const std::size_t n = loop_.vertices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 p = vertices_[loop_.vertices[k]] - apex, q = vertices_[loop_.vertices[(k + 1) % n]] - apex;
+      const Vec3 normal = p.cross(q);
+      // Far above rounding: p and q are differences of nearby points with relative error 1e-15.
+      if (!(normal.dot(sheet_.direction) > 1e-9 * p.norm() * q.norm())) return false;
+    }
+    return true;
+  }
+
+  Fan slab() {
+    const Vec3 best = error_minimiser();
+    for (const double t : {1.0, 0.5, 0.0}) {
+      Vec3 apex = clamped(centroid_ + t * (best - centroid_));
+      // Back between the slab's planes, and again into the cell: a point between both convex sets' points.
+      const double height = apex.dot(sheet_.direction);
+      apex += (std::clamp(height, sheet_.low, sheet_.high) - height) * sheet_.direction;
+      apex = clamped(apex);
+      if (!faces_direction(apex)) continue;
+      double low = apex.dot(sheet_.direction), high = low;
+      for (const std::uint32_t v : loop_.vertices) {
+        low = std::min(low, vertices_[v].dot(sheet_.direction));
+        high = std::max(high, vertices_[v].dot(sheet_.direction));
+      }
+      Fan fan;
+      fan.apex = apex;
+      fan.bound = std::hypot(std::max(high, sheet_.high) - std::min(low, sheet_.low), loop_.gap);
+      return fan;
+    }
+    return anything();
+  }
+
+  // Nothing but the cell holds them together.
+  Fan anything() {
+    Fan fan;
+    fan.apex = clamped(error_minimiser());
+    fan.bound = cell_.diagonal().norm();
+    return fan;
+  }
+
+  // Least squares over the planes along the loop, pulled to its centroid where they leave freedom (Ju et al. 2002).
+  Vec3 error_minimiser() const {
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    Vec3 b = Vec3::Zero();
+    for (std::size_t k = 0; k < loop_.vertices.size(); ++k) {
+      if (loop_.surfaces[k] == no_surface) continue;
+      const Surface& s = table_.surfaces[loop_.surfaces[k]];
+      a += s.normal * s.normal.transpose();
+      b += s.normal * (s.offset - s.normal.dot(centroid_));
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
+    Vec3 x = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+      if (solver.eigenvalues()[k] > 0.05 * solver.eigenvalues()[2])
+        x += solver.eigenvectors().col(k) * (solver.eigenvectors().col(k).dot(b) / solver.eigenvalues()[k]);
+    return centroid_ + x;
+  }
+
+  const FacetTable& table_;
+  const Box3& cell_;
+  const Sheet& sheet_;
+  const DrawnLoop& loop_;
+  const std::vector<Vec3>& vertices_;
+  const double margin_, pull_;
+  Vec3 centroid_;
+};
+
+}  // namespace
+
+Fan make_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const DrawnLoop& loop,
+             const std::vector<Vec3>& vertices, double margin, double pull) {
+  return FanMaker(table, cell, sheet, loop, vertices, margin, pull).make();
+}
+
+}  // namespace starcell

@@ -1,0 +1,18 @@
+// Flat regions come out as few large triangles: connected triangles of one plane become one polygon, triangulated anew
+// from its corners.
+//
+// A vertex inside a region goes; a vertex between exactly two regions goes if it lies on the straight line between the
+// corners that stay. So the surface does not change as a set, up to rounding, and neither does its topology: each region
+// is replaced by a triangulation of the same polygon with the same boundary.
+// Guarantees: closed and manifold as before; embedded in double and in float32, tested exactly: regions whose new triangles
+// meet anything are left as they were.
+#pragma once
+
+#include "contouring/surface_mesh.h"
+
+namespace starcell {
+
+/// Returns how far the surface moved at most (rounding).
+double merge_flat_regions(SurfaceMesh& mesh, double tolerance);
+
+}  // namespace starcell

@@ -1,0 +1,197 @@
+#include "operations/boolean.h"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "certificate/topology.h"
+#include "contouring/contour.h"
+#include "contouring/embedding.h"
+#include "contouring/flat_regions.h"
+#include "operations/operands.h"
+#include "solids/errors.h"
+#include "subdivision/root_box.h"
+#include "subdivision/subdivide.h"
+
+namespace starcell {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// Cells stay this many float32 steps wide, so that several points fit on an edge.
+constexpr int smallest_cell_bits = 4;
+constexpr int most_rounds = 24;
+
+struct Tolerances {
+  double error;     // asked for, in all
+  double contact;
+  double inputs;    // largest deflection of an operand
+  double cells;     // what contouring may deviate
+  double pull;
+};
+
+Tolerances split_error(const Options& options, const Box3& box, const std::vector<PolyhedronPtr>& solids) {
+  Tolerances t;
+  const double length = longest_side(box);
+  t.error = options.error.value_or(length / 128);
+  if (!(t.error > 0)) throw std::invalid_argument("error: must be greater than 0");
+  t.contact = options.contact.value_or(std::isinf(t.error) ? length / 12800 : t.error / 100);
+  if (!(t.contact > 0) || std::isinf(t.contact)) throw std::invalid_argument("contact: must be greater than 0 and finite");
+  t.inputs = 0;
+  for (const auto& solid : solids) t.inputs = std::max(t.inputs, solid->provenance().deflection);
+  // Rounding of plane equations and of the apexes: far above what double arithmetic can lose on coordinates this large.
+  const double rounding = 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  t.inputs += rounding;
+  t.cells = t.error - t.inputs;
+  if (!(t.cells > 0))
+    throw std::invalid_argument("error: " + std::to_string(t.error) + " is not larger than the deflection of a tessellated operand, " +
+                                std::to_string(t.inputs) + "; read that operand with a smaller error");
+  return t;
+}
+
+void add_statistics(const Statistics& s, Certificate& c) {
+  const auto put = [&](const char* name, const std::atomic<std::size_t>& n) {
+    c.statistics[name] = static_cast<double>(n.load());
+  };
+  put("cells", s.cells), put("leaves", s.leaves), put("max_depth", s.max_depth);
+  put("faces.link", s.face_link), put("faces.planes", s.face_planes), put("faces.split", s.face_split);
+  put("faces.star", s.face_star), put("voxels.link", s.voxel_link), put("voxels.cone", s.voxel_cone);
+  put("voxels.planes", s.voxel_planes), put("voxels.star", s.voxel_star), put("voxels.complex_cell", s.voxel_complex);
+  put("guard_tests.witness", s.guard_witness), put("guard_tests.linear_program", s.guard_program);
+  put("guard_tests.failed", s.guard_failed);
+}
+
+class Evaluation {
+ public:
+  Evaluation(const Expression& expression, const Options& options)
+      : options_(options), box_(expression.bounding_box()), operands_(gather_operands(expression, padded(box_))),
+        tolerances_(split_error(options, box_, operands_.solids)) {}
+
+  Result run() {
+    Certificate& c = result_.certificate;
+    c.requested_error = tolerances_.error;
+    c.contact_tolerance = tolerances_.contact;
+    for (const auto& solid : operands_.solids)
+      if (solid->provenance().deflection > 0)
+        c.tessellated.emplace_back(solid->provenance().name, solid->provenance().deflection);
+    c.error_bound = tolerances_.inputs;
+    if (!box_.isEmpty() && box_.sizes().maxCoeff() > 0) mesh();
+    count_topology(result_.vertices, result_.triangles, c);
+    add_statistics(statistics_, c);
+    c.statistics["triangles"] = static_cast<double>(result_.triangles.size());
+    c.statistics["vertices"] = static_cast<double>(result_.vertices.size());
+    c.statistics["seconds"] = total_.lap();
+    if (options_.progress && !options_.progress(1.0, "done")) throw CancelledError("The run was cancelled.");
+    return std::move(result_);
+  }
+
+ private:
+  static Box3 padded(const Box3& box) {
+    if (box.isEmpty()) return Box3(Vec3::Zero(), Vec3::Ones());
+    const Vec3 m = Vec3::Constant(2 * longest_side(box) + 1e-300);
+    return {box.min() - m, box.max() + m};
+  }
+
+  void mesh() {
+    Certificate& c = result_.certificate;
+    const double step = float_step(box_);
+    const FacetTable table = gather_facets(operands_.solids, std::min(tolerances_.contact, 8 * step));
+    const Grid grid = choose_grid(box_, table);
+    const Restriction restriction(table, grid);
+    c.statistics["seconds.prepare"] = watch_.lap();
+
+    AcceptanceSettings settings;
+    settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.unit));
+    settings.error = tolerances_.cells - table.contact_moved;
+    settings.criterion = options_.criterion;
+    SubdivisionLimits limits;
+    limits.max_level = grid.depth - smallest_cell_bits;
+    if (options_.budget.max_depth > 0) limits.max_level = std::min(limits.max_level, options_.budget.max_depth);
+    limits.max_cells = options_.budget.max_cells;
+    limits.max_bytes = options_.budget.max_bytes;
+    limits.max_seconds = options_.budget.max_seconds;
+    Reporter reporter(options_.progress, "subdividing", 0, 0.8);
+    Subdivision subdivision(restriction, settings, limits, statistics_, reporter);
+    Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
+        std::vector<State>(operands_.solids.size(), State::mixed))));
+    c.statistics["seconds.subdivide"] = watch_.lap();
+
+    Contour contour = refine_until_good(restriction, subdivision, tree, settings);
+    c.statistics["seconds.contour"] = watch_.lap();
+    if (options_.progress && !options_.progress(0.9, "merging flat regions"))
+      throw CancelledError("The run was cancelled.");
+    const double merged = merge_flat_regions(contour.mesh, 1e-11 * std::max(box_.min().cwiseAbs().maxCoeff(),
+                                                                           box_.max().cwiseAbs().maxCoeff()));
+    c.statistics["seconds.merge"] = watch_.lap();
+    c.error_bound = tolerances_.inputs + table.contact_moved + contour.bound + merged;
+    result_.vertices = std::move(contour.mesh.vertices);
+    result_.triangles = std::move(contour.mesh.triangles);
+    conclude(tree, grid);
+  }
+
+  // Contouring names the leaves whose fans do not serve; they are refined and all is contoured again.
+  Contour refine_until_good(const Restriction& restriction, Subdivision& subdivision, Octree& tree,
+                            const AcceptanceSettings& settings) {
+    for (int round = 0;; ++round) {
+      if (options_.progress && !options_.progress(0.8, "contouring")) throw CancelledError("The run was cancelled.");
+      Contour made = contour(restriction, tree, {settings.error, settings.pull});
+      result_.certificate.statistics["contour_rounds"] = round + 1;
+      bool refined = false;
+      if (round < most_rounds)
+        for (const Cell& cell : made.failed) refined = subdivision.refine(tree, cell) || refined;
+      if (!refined) {
+        for (const Cell& cell : made.failed) {
+          OctreeNode* node = tree.node_of(cell);
+          if (node->leaf) node->leaf->resolved = false;
+        }
+        return made;
+      }
+    }
+  }
+
+  void conclude(const Octree& tree, const Grid& grid) {
+    Certificate& c = result_.certificate;
+    std::size_t leaves = 0;
+    for (const Leaf* leaf : tree.leaves()) {
+      ++leaves;
+      if (!leaf->resolved) c.unresolved.push_back(box_of(grid, leaf->problem.cell));
+      if (leaf->contact) c.contacts.push_back(box_of(grid, leaf->problem.cell));
+    }
+    if (!c.contacts.empty()) c.verdict = Verdict::contact;
+    if (!c.unresolved.empty()) c.verdict = Verdict::unresolved;
+    statistics_.leaves = leaves;
+  }
+
+  const Options& options_;
+  const Box3 box_;
+  const Operands operands_;
+  const Tolerances tolerances_;
+  Statistics statistics_;
+  Stopwatch watch_, total_;
+  Result result_;
+};
+
+}  // namespace
+
+Result evaluate(const Expression& expression, const Options& options) {
+  if (options.threads < 0) throw std::invalid_argument("threads: must not be negative");
+  if (options.threads == 0) return Evaluation(expression, options).run();
+  tbb::task_arena arena(options.threads);
+  return arena.execute([&] { return Evaluation(expression, options).run(); });
+}
+
+}  // namespace starcell

@@ -1,0 +1,70 @@
+#include "operations/operands.h"
+
+#include <map>
+
+namespace starcell {
+namespace {
+
+// A cuboid with one side on the plane, large enough that the others stay far outside the box.
+PolyhedronPtr cover(const HalfSpace& h, const Box3& box) {
+  const Vec3 n = h.normal.normalized();
+  const double height = n.dot(box.center() - h.point);
+  const Vec3 foot = box.center() - height * n;
+  const double reach = 4 * (box.diagonal().norm() + std::abs(height));
+  const Vec3 u = n.unitOrthogonal() * reach, v = n.cross(n.unitOrthogonal()) * reach, down = -n * reach;
+  std::vector<Vec3> p;
+  for (int i = 0; i < 8; ++i)
+    p.push_back(foot + (i & 1 ? u : Vec3(-u)) + (i & 2 ? v : Vec3(-v)) + (i & 4 ? Vec3::Zero() : down));
+  std::vector<Triangle> t;
+  const std::uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& q : quads) {
+    t.push_back({q[0], q[1], q[2]});
+    t.push_back({q[0], q[2], q[3]});
+  }
+  return Polyhedron::make(std::move(p), std::move(t));
+}
+
+class Gatherer {
+ public:
+  explicit Gatherer(const Box3& box) : box_(box) {}
+
+  void visit(const Expression& e) {
+    using Op = LocalExpression::Op;
+    switch (e.kind()) {
+      case Expression::Kind::polyhedron: leaf(e.polyhedron().get(), e.polyhedron()); return;
+      case Expression::Kind::half_space: leaf(&e.half_space(), nullptr, &e.half_space()); return;
+      default: break;
+    }
+    for (const Expression& operand : e.operands()) visit(operand);
+    const auto n = static_cast<std::uint32_t>(e.operands().size());
+    program.push_back({e.kind() == Expression::Kind::set_union      ? Op::set_union
+                       : e.kind() == Expression::Kind::intersection ? Op::intersection
+                                                                    : Op::complement,
+                       n});
+  }
+
+  std::vector<LocalExpression::Step> program;
+  std::vector<PolyhedronPtr> solids;
+
+ private:
+  void leaf(const void* key, PolyhedronPtr solid, const HalfSpace* half_space = nullptr) {
+    const auto [it, fresh] = index_.emplace(key, static_cast<std::uint32_t>(solids.size()));
+    if (fresh) solids.push_back(half_space ? cover(*half_space, box_) : std::move(solid));
+    program.push_back({LocalExpression::Op::leaf, it->second});
+  }
+
+  Box3 box_;
+  std::map<const void*, std::uint32_t> index_;
+};
+
+}  // namespace
+
+Operands gather_operands(const Expression& expression, const Box3& box) {
+  Gatherer gatherer(box);
+  gatherer.visit(expression);
+  std::vector<std::uint32_t> all(gatherer.solids.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  return {std::move(gatherer.solids), LocalExpression(std::move(gatherer.program), std::move(all))};
+}
+
+}  // namespace starcell

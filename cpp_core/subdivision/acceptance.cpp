@@ -1,0 +1,196 @@
+#include "subdivision/acceptance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "subdivision/complex_cell.h"
+#include "subdivision/face_link.h"
+#include "subdivision/face_pieces.h"
+#include "subdivision/face_trace.h"
+#include "subdivision/grid_line.h"
+#include "subdivision/sheet_shape.h"
+#include "subdivision/voxel_link.h"
+#include "subdivision/voxel_planes.h"
+#include "subdivision/voxel_star.h"
+
+namespace starcell {
+namespace {
+
+std::vector<std::uint32_t> surfaces_of(const FacetTable& table, const std::vector<std::uint32_t>& facets) {
+  std::vector<std::uint32_t> ids;
+  ids.reserve(facets.size());
+  for (const std::uint32_t f : facets) ids.push_back(table.surface[f]);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+std::vector<Vec3> vertices_inside(const FacetTable& table, const std::vector<std::uint32_t>& facets, const Box3& box) {
+  std::vector<Vec3> inside;
+  for (const std::uint32_t f : facets)
+    for (int k = 0; k < 3 && inside.size() < 4; ++k) {
+      const Vec3& p = table.corner(f, k);
+      if (box_contains(box, p) && std::find(inside.begin(), inside.end(), p) == inside.end()) inside.push_back(p);
+    }
+  return inside;
+}
+
+// Facets above which a quick look decides whether the full tests can succeed.
+constexpr std::size_t many_facets = 32;
+// The fan may add its loop's deviation to a slab's thickness: see contouring/loop_points.h.
+constexpr double slab_share = 0.85;
+
+}  // namespace
+
+bool Acceptance::small_enough(const Box3& box) const { return box.diagonal().norm() <= 0.98 * settings_.error; }
+
+// With a finite error most large cells fail for their size alone. Sampled vertices spread farther than the error along
+// their mean normal rule a slab out; too many planes rule a cone out. Refusing is always allowed.
+bool Acceptance::hopeless(const CellProblem& problem, const Box3& box) const {
+  if (problem.slots() > max_slots) return true;
+  if (std::isinf(settings_.error) || problem.facets.size() <= many_facets || small_enough(box)) return false;
+  const FacetTable& table = restriction_.table();
+  const std::size_t step = problem.facets.size() / many_facets + 1;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < problem.facets.size(); i += step) sum += table.area_vector(problem.facets[i]);
+  std::vector<std::uint32_t> sample;
+  for (std::size_t i = 0; i < problem.facets.size(); i += step) sample.push_back(problem.facets[i]);
+  if (surfaces_of(table, sample).size() <= 8) return false;
+  const double length = sum.norm();
+  if (!(length > 0)) return true;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::uint32_t f : sample) {
+    if (table.area_vector(f).dot(sum) <= 0) return true;
+    for (int k = 0; k < 3; ++k) {
+      if (!box_contains(box, table.corner(f, k))) continue;
+      const double height = table.corner(f, k).dot(sum) / length;
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  }
+  return high - low > settings_.error;
+}
+
+std::optional<Leaf> Acceptance::accept(CellProblem& problem) const {
+  Leaf leaf;
+  if (!problem.facets.empty()) {
+    const Box3 box = box_of(restriction_.grid(), problem.cell);
+    if (hopeless(problem, box)) return std::nullopt;
+    const bool ok = settings_.criterion == Criterion::complex_cell ? accept_complex(problem, box, leaf)
+                    : groups_may_cross(restriction_, problem, box) ? accept_crossing(problem, box, leaf)
+                                                                   : accept_linked(problem, box, leaf);
+    if (!ok) return std::nullopt;
+  }
+  leaf.problem = std::move(problem);
+  return leaf;
+}
+
+bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  const FacetTable& table = restriction_.table();
+  std::vector<Group> groups = link_groups(restriction_, problem, box);
+  if (!classify_groups(restriction_, problem, box, groups)) return false;
+  std::erase_if(groups, [](const Group& g) { return !g.contributes; });
+  for (const Group& group : groups) {
+    if (group.characteristic != 1) return false;
+    auto sheet = concurrent_sheet(restriction_, box, surfaces_of(table, group.facets),
+                                  vertices_inside(table, group.facets, box));
+    if (!sheet) {
+      sheet = slab_sheet(table, box, group.facets, group.flip);
+      if (!sheet || sheet->high - sheet->low > slab_share * settings_.error) {
+        if (!small_enough(box)) return false;
+        sheet = Sheet();
+      }
+    }
+    leaf.sheets.push_back(std::move(*sheet));
+  }
+  for (int side = 0; side < 6; ++side) {
+    const Face face = face_of(problem.cell, side);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const auto pieces = face_pieces(restriction_, problem, groups[g].facets, face);
+      if (pieces.empty()) continue;
+      auto arcs = link_pieces(restriction_, face, pieces, groups[g].flip);
+      if (!arcs) return false;
+      for (Arc& arc : *arcs) {
+        leaf.sheets[g].crossings.push_back(arc.start);
+        leaf.sheets[g].crossings.push_back(arc.end);
+        leaf.arcs[side].push_back(std::move(arc));
+      }
+      count(statistics_.face_link);
+    }
+  }
+  for (Sheet& sheet : leaf.sheets) {
+    std::sort(sheet.crossings.begin(), sheet.crossings.end());
+    sheet.crossings.erase(std::unique(sheet.crossings.begin(), sheet.crossings.end()), sheet.crossings.end());
+    count(sheet.shape == Sheet::Shape::corner ? statistics_.voxel_cone : statistics_.voxel_link);
+  }
+  return true;
+}
+
+bool Acceptance::trace_faces(const CellProblem& problem, Leaf& leaf) const {
+  for (int side = 0; side < 6; ++side) {
+    auto arcs = trace_face(restriction_, problem, problem.facets, face_of(problem.cell, side), settings_.pull, statistics_);
+    if (!arcs) return false;
+    leaf.arcs[side] = std::move(*arcs);
+  }
+  return true;
+}
+
+bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  const auto sheets = plane_sheets(restriction_, problem);
+  if (!sheets) return accept_star(problem, box, leaf);
+  for (const PlaneSheet& plane_sheet : *sheets) {
+    auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
+    if (!sheet) {
+      if (!small_enough(box)) return false;
+      sheet = Sheet();
+    }
+    sheet->crossings = plane_sheet.crossings;
+    sheet->contact = plane_sheet.contact;
+    leaf.contact = leaf.contact || plane_sheet.contact;
+    leaf.sheets.push_back(std::move(*sheet));
+  }
+  if (!sheets->empty() && !trace_faces(problem, leaf)) return false;
+  count(statistics_.voxel_planes);
+  const FacetTable& table = restriction_.table();
+  for (const std::uint32_t id : surfaces_of(table, problem.facets)) leaf.contact = leaf.contact || table.surfaces[id].shared;
+  return true;
+}
+
+// V-star bounds no distance by itself: only for cells that are small enough, or when topology is all that is asked.
+bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  if (!small_enough(box) || problem.facets.size() > 400) return false;
+  if (!star_direction(restriction_, problem, statistics_)) return false;
+  if (!trace_faces(problem, leaf)) return false;
+  const auto loops = star_loops(leaf, *star_direction(restriction_, problem, statistics_));
+  if (!loops) return false;
+  for (const auto& crossings : *loops) {
+    Sheet sheet;
+    sheet.crossings = crossings;
+    leaf.sheets.push_back(std::move(sheet));
+  }
+  count(statistics_.voxel_star);
+  return true;
+}
+
+bool Acceptance::accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  if (!trace_faces(problem, leaf)) return false;
+  if (!satisfies_complex_cell(restriction_, problem, leaf, statistics_)) return false;
+  if (std::all_of(leaf.arcs.begin(), leaf.arcs.end(), [](const auto& arcs) { return arcs.empty(); })) return true;
+  if (!small_enough(box)) return false;
+  Sheet sheet;
+  for (const auto& arcs : leaf.arcs)
+    for (const Arc& arc : arcs) sheet.crossings.push_back(arc.start), sheet.crossings.push_back(arc.end);
+  std::sort(sheet.crossings.begin(), sheet.crossings.end());
+  leaf.sheets.push_back(std::move(sheet));
+  count(statistics_.voxel_complex);
+  return true;
+}
+
+Leaf Acceptance::give_up(CellProblem& problem) const {
+  Leaf leaf;
+  leaf.resolved = false;
+  leaf.problem = std::move(problem);
+  return leaf;
+}
+
+}  // namespace starcell

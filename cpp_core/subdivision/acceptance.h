@@ -1,0 +1,48 @@
+// Is a cell good enough to be a leaf? The trace theorem's clauses and the error criterion, cheapest first.
+//
+// Rests on DESIGN §3. A leaf is accepted when every face has a certified trace (face_trace.h) and E∩C is certified to be
+// disjoint disks: V-link and V-cone where solids do not cross, V-planes or V-star where they do; and when each disk's
+// shape bounds the distance to the fan that will replace it (sheet_shape.h).
+// Guarantees: an accepted leaf satisfies (E), (F) and (V) of the trace theorem. A refusal proves nothing.
+#pragma once
+
+#include <optional>
+
+#include "subdivision/leaf.h"
+#include "subdivision/settings.h"
+#include "subdivision/statistics.h"
+
+namespace starcell {
+
+struct AcceptanceSettings {
+  double error = 0;          ///< what the fan may deviate; infinite: topology only
+  double pull = 0;           ///< how far sheets in contact are pulled apart
+  Criterion criterion = Criterion::trace;
+};
+
+class Acceptance {
+ public:
+  Acceptance(const Restriction& restriction, const AcceptanceSettings& settings, Statistics& statistics)
+      : restriction_(restriction), settings_(settings), statistics_(statistics) {}
+
+  /// A leaf without sheets is a cell that E does not meet. The problem is moved into the leaf on success.
+  std::optional<Leaf> accept(CellProblem& problem) const;
+
+  /// A leaf for a cell that the budget gave up on: its arcs where known, `resolved` false.
+  Leaf give_up(CellProblem& problem) const;
+
+ private:
+  bool hopeless(const CellProblem& problem, const Box3& box) const;
+  bool accept_linked(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool trace_faces(const CellProblem& problem, Leaf& leaf) const;
+  bool small_enough(const Box3& box) const;
+
+  const Restriction& restriction_;
+  AcceptanceSettings settings_;
+  Statistics& statistics_;
+};
+
+}  // namespace starcell

@@ -1,0 +1,118 @@
+#include "subdivision/face_trace.h"
+
+#include <algorithm>
+
+#include "subdivision/face_link.h"
+#include "subdivision/face_planes.h"
+
+namespace starcell {
+namespace {
+
+constexpr std::size_t max_lines = 14;   // an arrangement of more is dearer than four smaller ones
+constexpr int max_splits = 5;
+
+class FaceTracer {
+ public:
+  FaceTracer(const Restriction& restriction, const CellProblem& problem, double pull, Statistics& statistics)
+      : restriction_(restriction), problem_(problem), pull_(pull), statistics_(statistics) {}
+
+  std::optional<std::vector<Arc>> trace(const std::vector<std::uint32_t>& facets, const Face& face, int splits) {
+    const std::vector<Piece> pieces = face_pieces(restriction_, problem_, facets, face);
+    if (pieces.empty()) return std::vector<Arc>{};
+    const std::uint32_t slot = pieces.front().slot;
+    const bool alone = std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.slot == slot; });
+    if (alone) return trace_one_solid(face, pieces, slot);
+    if (line_count(pieces) <= max_lines) {
+      if (auto arcs = arrange_pieces({restriction_, problem_, face, pieces, pull_})) {
+        count(statistics_.face_planes);
+        return arcs;
+      }
+    }
+    if (splits >= max_splits || face.size < 2) return std::nullopt;
+    return split(pieces, face, splits);
+  }
+
+ private:
+  static std::size_t line_count(const std::vector<Piece>& pieces) {
+    std::vector<std::uint32_t> surfaces;
+    for (const Piece& p : pieces) surfaces.push_back(p.surface);
+    std::sort(surfaces.begin(), surfaces.end());
+    return static_cast<std::size_t>(std::unique(surfaces.begin(), surfaces.end()) - surfaces.begin());
+  }
+
+  // No other solid's surface reaches the face, so membership in the others is that of any of its corners.
+  std::optional<std::vector<Arc>> trace_one_solid(const Face& face, const std::vector<Piece>& pieces,
+                                                  std::uint32_t slot) {
+    const Membership bit = Membership{1} << slot;
+    const Membership others = problem_.slots() > 1 ? restriction_.mask_at(problem_, face.corner(0, 0)) : 0;
+    const bool within = problem_.expression.value(others | bit), without = problem_.expression.value(others & ~bit);
+    if (within == without) return std::vector<Arc>{};
+    auto arcs = link_pieces(restriction_, face, pieces, without);
+    if (arcs) count(statistics_.face_link);
+    return arcs;
+  }
+
+  std::optional<std::vector<Arc>> split(const std::vector<Piece>& pieces, const Face& face, int splits) {
+    std::vector<std::uint32_t> facets;
+    for (const Piece& p : pieces) facets.push_back(p.facet);
+    std::vector<Arc> parts;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      Face square = face;
+      square.size = face.size / 2;
+      if (quarter & 1) square.b += square.size;
+      if (quarter & 2) square.c += square.size;
+      auto arcs = trace(facets, square, splits + 1);
+      if (!arcs) return std::nullopt;
+      parts.insert(parts.end(), std::make_move_iterator(arcs->begin()), std::make_move_iterator(arcs->end()));
+    }
+    count(statistics_.face_split);
+    return join(std::move(parts));
+  }
+
+  // An arc that ends where another starts goes on in it; what never starts on the rim is a closed curve.
+  static std::optional<std::vector<Arc>> join(std::vector<Arc> parts) {
+    const auto starting_at = [&](const Crossing& x) {
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        if (parts[k].start == x) return k;
+      return parts.size();
+    };
+    std::vector<bool> continues(parts.size(), false);
+    for (const Arc& arc : parts) {
+      const std::size_t next = starting_at(arc.end);
+      if (next < parts.size()) continues[next] = true;
+    }
+    std::vector<Arc> arcs;
+    std::size_t used = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (continues[k]) continue;
+      Arc arc = parts[k];
+      ++used;
+      for (std::size_t next = starting_at(arc.end); next < parts.size(); next = starting_at(arc.end)) {
+        const Arc& tail = parts[next];
+        if (++used > parts.size()) return std::nullopt;
+        arc.bends.insert(arc.bends.end(), tail.bends.begin(), tail.bends.end());
+        arc.surfaces.insert(arc.surfaces.end(), tail.surfaces.begin() + 1, tail.surfaces.end());
+        arc.end = tail.end;
+        arc.contact = arc.contact || tail.contact;
+      }
+      arcs.push_back(std::move(arc));
+    }
+    if (used != parts.size()) return std::nullopt;
+    return arcs;
+  }
+
+  const Restriction& restriction_;
+  const CellProblem& problem_;
+  double pull_;
+  Statistics& statistics_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Arc>> trace_face(const Restriction& restriction, const CellProblem& problem,
+                                           const std::vector<std::uint32_t>& facets, const Face& face, double pull,
+                                           Statistics& statistics) {
+  return FaceTracer(restriction, problem, pull, statistics).trace(facets, face, 0);
+}
+
+}  // namespace starcell

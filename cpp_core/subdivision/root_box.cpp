@@ -1,0 +1,60 @@
+#include "subdivision/root_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace starcell {
+namespace {
+
+constexpr int float_bits = 24;
+constexpr int candidates = 16;
+constexpr int shallow_levels = 6;
+
+// The smallest distance between a vertex and a plane of the first levels along one axis, in units.
+double clearance(const Grid& grid, int axis, const std::vector<double>& coordinates) {
+  const double step = std::ldexp(grid.unit, grid.depth - shallow_levels);
+  const double lower = grid.coordinate(axis, 0);
+  double nearest = step;
+  for (const double x : coordinates) {
+    const double t = (x - lower) / step;
+    nearest = std::min(nearest, std::abs(t - std::round(t)) * step);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double float_step(const Box3& box) {
+  const double side = 1.2 * std::max(box.sizes().maxCoeff(), 1e-300);
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) + 2 * side;
+  return std::ldexp(1.0, std::ilogb(reach) + 1 - float_bits);
+}
+
+Grid choose_grid(const Box3& box, const FacetTable& table) {
+  Grid grid;
+  grid.unit = float_step(box);
+  const double side = 1.1 * std::max(box.sizes().maxCoeff(), 8 * grid.unit);
+  grid.depth = std::max(4, static_cast<int>(std::ceil(std::log2(side / grid.unit))));
+  const double size = std::ldexp(grid.unit, grid.depth);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> coordinates;
+    const std::size_t stride = table.points.size() / 20000 + 1;
+    for (std::size_t i = 0; i < table.points.size(); i += stride)
+      if (box.min()[axis] <= table.points[i][axis] && table.points[i][axis] <= box.max()[axis])
+        coordinates.push_back(table.points[i][axis]);
+    const double slack = size - box.sizes()[axis];
+    double best = -1;
+    std::int64_t origin = 0;
+    for (int k = 0; k < candidates; ++k) {
+      // Irrational steps through the middle half of the slack.
+      const double fraction = 0.25 + 0.5 * std::fmod(0.38196601125 + 0.61803398875 * k + 0.137 * axis, 1.0);
+      grid.origin[axis] = static_cast<std::int64_t>(std::floor((box.min()[axis] - fraction * slack) / grid.unit)) | 1;
+      const double c = clearance(grid, axis, coordinates);
+      if (c > best) best = c, origin = grid.origin[axis];
+    }
+    grid.origin[axis] = origin;
+  }
+  return grid;
+}
+
+}  // namespace starcell

@@ -1,0 +1,28 @@
+// V-planes: E in a cell that few supporting planes cut, solids crossing or in contact included.
+//
+// Rests on DESIGN §3 (V-planes) and §4 (surface identity): the planes cut the cell into convex regions on which every
+// solid is constant; E∩C is the set of polygons between regions that differ. All facets of one surface flip together.
+// The polygons are split with certified signs (interval arithmetic on three-plane points); their gluing is combinatorics.
+// Guarantees: the sheets are exactly E∩C's components and all of them are disks, or "don't know". Where four polygons
+// meet along an edge, or several sheets in a vertex, DESIGN §4's rule separates them: inside joins only across a face.
+#pragma once
+
+#include <optional>
+
+#include "subdivision/cell_problem.h"
+#include "subdivision/trace.h"
+
+namespace starcell {
+
+/// One disk of E∩C: the surfaces that carry it, and how its boundary is recognised among the cell's loops.
+struct PlaneSheet {
+  std::vector<std::uint32_t> surfaces;   ///< ascending
+  std::vector<Crossing> crossings;       ///< its crossings with the cell's edges; only line and surface are set
+  bool contact = false;                  ///< touches another sheet in an edge or a vertex
+};
+
+constexpr std::size_t max_cell_planes = 12;
+
+std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem);
+
+}  // namespace starcell

@@ -1,0 +1,76 @@
+#include "subdivision/voxel_star.h"
+
+#include <algorithm>
+
+#include "subdivision/guard.h"
+#include "subdivision/loops.h"
+
+namespace starcell {
+namespace {
+
+// +1: a solid's outward normals are E's, -1: turned, 0: both occur.
+std::vector<int> polarities(const LocalExpression& expression) {
+  using Op = LocalExpression::Op;
+  std::vector<int> polarity(expression.solids().size(), 2);
+  // Values carry the slots below them; a complement turns them all.
+  std::vector<std::vector<std::pair<std::uint32_t, int>>> stack;
+  for (const auto& step : expression.program()) {
+    if (step.op == Op::leaf) {
+      stack.push_back({{step.count, 1}});
+    } else if (step.op == Op::complement) {
+      for (auto& [slot, sign] : stack.back()) sign = -sign;
+    } else {
+      std::vector<std::pair<std::uint32_t, int>> all;
+      for (std::uint32_t k = 0; k < step.count; ++k) {
+        all.insert(all.end(), stack.back().begin(), stack.back().end());
+        stack.pop_back();
+      }
+      stack.push_back(std::move(all));
+    }
+  }
+  if (stack.empty()) return polarity;
+  for (const auto& [slot, sign] : stack.back()) polarity[slot] = polarity[slot] == 2 || polarity[slot] == sign ? sign : 0;
+  return polarity;
+}
+
+}  // namespace
+
+std::optional<Vec3> star_direction(const Restriction& restriction, const CellProblem& problem, Statistics& statistics) {
+  const std::vector<int> polarity = polarities(problem.expression);
+  std::vector<OrientedFacet> facets;
+  for (const std::uint32_t f : problem.facets) {
+    const int p = polarity[restriction.slot_of(problem, f)];
+    if (p == 0) return std::nullopt;
+    // Facets in contact bound E together or not at all; only V-planes can tell.
+    if (restriction.table().surfaces[restriction.table().surface[f]].shared) return std::nullopt;
+    facets.push_back({f, p < 0});
+  }
+  return find_direction(restriction.table(), facets, -1, statistics);
+}
+
+std::optional<std::vector<std::vector<Crossing>>> star_loops(const Leaf& leaf, const Vec3& direction) {
+  std::vector<LoopArc> arcs;
+  for (int side = 0; side < 6; ++side)
+    for (const Arc& arc : leaf.arcs[side]) arcs.push_back({&arc, side, side % 2 == 0});
+  const auto loops = form_loops(arcs);
+  if (!loops) return std::nullopt;
+  std::vector<std::vector<Crossing>> result;
+  for (const Loop& loop : *loops) {
+    bool faces_u = false, faces_away = false;
+    std::vector<Crossing> crossings;
+    for (const LoopArc& a : loop) {
+      const double towards = direction[a.side / 2] * (a.side % 2 ? 1 : -1);
+      faces_u = faces_u || towards > 0;
+      faces_away = faces_away || towards < 0;
+      crossings.push_back(a.arc->start);
+      crossings.push_back(a.arc->end);
+    }
+    if (loops->size() > 1 && !(faces_u && faces_away)) return std::nullopt;
+    std::sort(crossings.begin(), crossings.end());
+    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+    result.push_back(std::move(crossings));
+  }
+  return result;
+}
+
+}  // namespace starcell
