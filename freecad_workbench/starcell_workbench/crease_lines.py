@@ -40,6 +40,11 @@ class CreaseLines:
         self.lines.coordIndex.setNum(0)
         self.lines.coordIndex.setValues(0, len(indices), indices.tolist())
 
+    def segments(self):
+        """The lines' end points, two by two."""
+        points = self.points.point.getValues()
+        return [points[index].getValue() for index in self.lines.coordIndex.getValues() if index >= 0]
+
 
 def creases(points, triangles, degrees):
     """(k, 2) vertex pairs: the edges of a closed mesh whose two triangles meet at more than this angle from flat."""
