@@ -2,7 +2,7 @@
 import FreeCAD
 import FreeCADGui
 
-from . import operations, resources
+from . import operations, report, resources, runner
 from .translation import translate
 
 
@@ -40,13 +40,14 @@ class OperationCommand:
             document.abortTransaction()
             FreeCAD.Console.PrintError("{}\n".format(problem))
             return
-        document.commitTransaction()
         made = document.ActiveObject
+        if not made.isValid() and runner.last_was_cancelled:
+            document.abortTransaction()
+            return
+        document.commitTransaction()
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelection(made)
         if made.isValid():
-            from . import report
-
             FreeCADGui.getMainWindow().statusBar().showMessage("{}: {}".format(made.Label, report.summary(made)), 10000)
 
 

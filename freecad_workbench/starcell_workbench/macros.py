@@ -53,9 +53,10 @@ def make(operation, given, error=None, contact=None, label=None, document=None, 
         from .operation_view import OperationView
 
         OperationView(obj.ViewObject)
-    for each in obj.Proxy.linked(obj):
-        each.Visibility = False
     document.recompute()
+    if obj.isValid():
+        for each in obj.Proxy.linked(obj):
+            each.Visibility = False
     return obj
 
 

@@ -143,9 +143,10 @@ class OperationFeature:
         if obj.Contact.Value:
             options["contact"] = obj.Contact.Value
 
+        reading = translate("StarCell", "reading the operands")
+
         def work(progress):
-            if not progress(0.0, translate("StarCell", "reading the operands")):
-                return None
+            progress(0.0, reading)
             solids = _over(given, lambda operand: operand.solid(starcell, TESSELLATION_SHARE * error))
             return self.compute(starcell, solids, values, dict(options, progress=progress))
 

@@ -9,7 +9,7 @@ from .translation import translate
 
 
 def publish(obj, result, asked, linked, seconds):
-    """Fills the output properties of `obj`; warns in the report view if something is unresolved."""
+    """Fills the output properties of `obj`. The report view gets a message of contacts, a warning of what is unresolved."""
     certificate = result.certificate
     obj.Verdict = certificate.verdict
     obj.ErrorBound = certificate.error_bound
@@ -21,10 +21,8 @@ def publish(obj, result, asked, linked, seconds):
     obj.Certificate = to_json(certificate)
     obj.Report = in_words(obj, certificate, asked, linked)
     line = "{}: {}\n".format(obj.Label, summary(obj))
-    if certificate.verdict == "unresolved":
-        FreeCAD.Console.PrintWarning(line)
-    else:
-        FreeCAD.Console.PrintLog(line)
+    console = FreeCAD.Console
+    {"unresolved": console.PrintWarning, "contact": console.PrintMessage}.get(certificate.verdict, console.PrintLog)(line)
 
 
 def to_json(certificate):

@@ -51,16 +51,17 @@ class _Job(threading.Thread):
 
 
 _current = None
+last_was_cancelled = False  # by the user; of the last run that began
 
 
 def run(work, title):
     """work(progress) -> result, with progress(fraction, stage) -> bool: False means stop. Raises what work raises, or Cancelled."""
-    global _current
+    global _current, last_was_cancelled
     if not FreeCAD.GuiUp or threading.current_thread() is not threading.main_thread():
         return work(lambda fraction, stage: True)
     if _current:
         raise Busy(translate("StarCell", "StarCell is already computing; wait for it, or cancel it."))
-    _current = _Job(work)
+    _current, last_was_cancelled = _Job(work), False
     try:
         _current.start()
         _current.join(QUIET_SECONDS)
@@ -68,6 +69,7 @@ def run(work, title):
             from . import progress_dialog
 
             progress_dialog.wait(_current, title, PATIENCE_SECONDS)
+        last_was_cancelled = _current.cancelled.is_set()
         return _current.outcome()
     finally:
         _current = None

@@ -36,7 +36,8 @@ class OperationTask:
     # What FreeCAD calls.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
+        return int(getattr(buttons, "value", buttons))  # Qt 6 has the number in .value
 
     def accept(self):
         return self.apply() and self._leave()  # False keeps the panel open

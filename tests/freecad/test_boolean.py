@@ -109,6 +109,10 @@ class Options(DocumentTest):
         scw.make_union([self.a, self.b])
         self.assertFalse(self.a.Visibility or self.b.Visibility)
 
+    def test_operands_of_a_failed_result_stay_visible(self):
+        scw.make_union([self.a, self.doc.addObject("App::FeaturePython", "Note")])
+        self.assertTrue(self.a.Visibility)
+
     def test_outputs_are_read_only(self):
         obj = scw.make_union([self.a, self.b])
         for name in ("Verdict", "ErrorBound", "Components", "Genus", "Certificate", "Report", "Triangles", "Volume", "Seconds"):

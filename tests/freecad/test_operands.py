@@ -128,6 +128,18 @@ class Kinds(DocumentTest):
         part = self.part([mesh, self.box((2, 2, 20), (6, 6, -5))])
         self.assertSolid(scw.make_cut(self.a, part), 1000 - 80, genus=(2,))
 
+    def test_change_inside_a_container_and_behind_a_link(self):
+        hole = self.box((2, 2, 20), (1, 1, -5), name="Hole")
+        part = self.part([hole])
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        link.Placement.Base = Vector(4, 4, 0)
+        obj = scw.make_cut(self.a, [part, link])
+        self.assertSolid(obj, 920, genus=(2,))
+        hole.Length = 3
+        self.doc.recompute()
+        self.assertSolid(obj, 880, genus=(2,))
+
     def test_link_to_a_container(self):
         part = self.part([self.box((2, 2, 20), (1, 1, -5))])
         link = self.doc.addObject("App::Link", "Link")

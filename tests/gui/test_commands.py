@@ -96,6 +96,7 @@ class Commands(window.WindowTest):
         self.assertFalse(union.isValid())
         self.assertIn("'Sheet' has no solid", union.getStatusString())
         self.assertIn("'Sheet' has no solid", window.report_text())
+        self.assertTrue(self.plate.ViewObject.Visibility)
 
     def test_deleting_shows_the_operands_again(self):
         union = scw.make_union([self.plate, self.rib])

@@ -98,6 +98,21 @@ class LongRuns(window.WindowTest):
         self.cancel_by(lambda dialog: window.later(500, lambda: window.press(dialog, ESCAPE)))
         self.assertGreater(seen[0], 0)
 
+    def test_cancelled_command_leaves_nothing_behind(self):
+        doc, plate, rib, bore = window.block_with_bore()
+        compute, Union.compute = Union.compute, Patient.compute
+        Union.deaf = False
+        try:
+            window.select(plate, rib)
+            window.later(1200, lambda: window.press(window.progress_dialog(), ESCAPE))
+            FreeCADGui.runCommand("StarCell_Union")
+        finally:
+            Union.compute = compute
+            del Union.deaf
+        window.pump()
+        self.assertEqual(doc.Objects, [plate, rib, bore])
+        self.assertTrue(plate.ViewObject.Visibility)
+
     def test_no_second_run_inside_a_run(self):
         self.prepare(Patient)
         second = FreeCAD.newDocument("Second")
