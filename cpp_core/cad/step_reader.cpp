@@ -12,6 +12,7 @@ namespace starcell::cad {
 namespace {
 
 bool shapes_the_model(const std::string& type) {
+  if (type == "StepRepr_DefinitionalRepresentation") return true;  // the curve of an edge on its face
   return (type.starts_with("StepGeom_") || type.starts_with("StepShape_")) && !type.ends_with("Representation");
 }
 
@@ -19,8 +20,17 @@ bool only_a_name(const std::string& complaint) {
   return complaint.find("(name) not a quoted String") != std::string::npos;
 }
 
-/// The first unreadable parameter of an entity that the translation would rely on; empty if there is none.
+bool breaks_the_text(const std::string& complaint) {
+  return complaint.find("Undefined Parsing") != std::string::npos ||
+         complaint.find("Unresolved Reference") != std::string::npos;
+}
+
+/// The first broken line, dangling reference, or unreadable parameter of an entity that the translation would rely on;
+/// empty if there is none.
 std::string first_defect(const StepData_StepModel& model) {
+  const Handle(Interface_Check) file = model.GlobalCheck(Standard_True);
+  for (int k = 1; k <= file->NbFails(); ++k)
+    if (const std::string complaint = file->CFail(k); breaks_the_text(complaint)) return complaint;
   for (int i = 1; i <= model.NbEntities(); ++i) {
     const std::string type = model.Value(i)->DynamicType()->Name();
     if (!shapes_the_model(type)) continue;
@@ -39,7 +49,7 @@ TopoDS_Shape read_step(const std::string& bytes, const std::string& path) {
   if (reader.ReadStream(path.c_str(), stream) != IFSelect_RetDone || reader.StepModel().IsNull())
     throw FileError("'" + path + "' is not a readable STEP file: its syntax is broken or it is cut short.");
   if (const std::string defect = first_defect(*reader.StepModel()); !defect.empty())
-    throw FileError("'" + path + "' is damaged: a shape in it cannot be read (" + defect + ").");
+    throw FileError("'" + path + "' is damaged (" + defect + ").");
   const int roots = reader.NbRootsForTransfer();
   if (roots == 0) throw FileError("'" + path + "' is a STEP file without any shape in it.");
   reader.TransferRoots();
