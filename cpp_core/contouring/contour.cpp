@@ -16,7 +16,14 @@ namespace {
 struct MinimalFace {
   Face face;
   const std::vector<Arc>* arcs;
+  bool every_bend;   // a fan on either side is exact as long as its loop is
 };
+
+bool has_cone(const Leaf& leaf) {
+  return std::any_of(leaf.sheets.begin(), leaf.sheets.end(), [](const Sheet& sheet) {
+    return sheet.shape == Sheet::Shape::planar || sheet.shape == Sheet::Shape::crease || sheet.shape == Sheet::Shape::corner;
+  });
+}
 
 class Contourer {
  public:
@@ -55,24 +62,25 @@ class Contourer {
     Cell found;
     const OctreeNode* beyond = tree_.across(cell, side, found);
     if (beyond && beyond->children) {
-      gather_finer(*beyond, found, side, faces);
+      gather_finer(*beyond, found, side, has_cone(leaf), faces);
       return;
     }
     if (beyond && beyond->leaf && found.size == cell.size && side % 2 == 0) {
       const auto& arcs = beyond->leaf->arcs[side + 1];
-      if (!arcs.empty()) faces.push_back({face_of(cell, side), &arcs});
+      if (!arcs.empty()) faces.push_back({face_of(cell, side), &arcs, has_cone(leaf) || has_cone(*beyond->leaf)});
       return;
     }
-    if (!leaf.arcs[side].empty()) faces.push_back({face_of(cell, side), &leaf.arcs[side]});
+    const bool cone = has_cone(leaf) || (beyond && beyond->leaf && has_cone(*beyond->leaf));
+    if (!leaf.arcs[side].empty()) faces.push_back({face_of(cell, side), &leaf.arcs[side], cone});
   }
 
-  void gather_finer(const OctreeNode& node, const Cell& at, int side, std::vector<MinimalFace>& faces) const {
+  void gather_finer(const OctreeNode& node, const Cell& at, int side, bool cone, std::vector<MinimalFace>& faces) const {
     const int axis = side / 2, opposite = side ^ 1;
     if (node.children) {
       for (int i = 0; i < 8; ++i)
-        if ((i >> axis & 1) == (side % 2 ? 0 : 1)) gather_finer((*node.children)[i], at.child(i), side, faces);
+        if ((i >> axis & 1) == (side % 2 ? 0 : 1)) gather_finer((*node.children)[i], at.child(i), side, cone, faces);
     } else if (node.leaf && !node.leaf->arcs[opposite].empty()) {
-      faces.push_back({face_of(at, opposite), &node.leaf->arcs[opposite]});
+      faces.push_back({face_of(at, opposite), &node.leaf->arcs[opposite], cone || has_cone(*node.leaf)});
     }
   }
 
@@ -83,7 +91,7 @@ class Contourer {
     for (const Arc& arc : *f.arcs) arcs.push_back(&arc);
     std::vector<TracedArc> drawn;
     const double tolerance = std::isinf(settings_.error) ? 1e300 : 0.2 * settings_.error;
-    const bool ok = points_.draw(f.face, arcs, tolerance, drawn);
+    const bool ok = points_.draw(f.face, arcs, f.every_bend ? 0 : tolerance, drawn);
     drawn_index_[key] = drawn_.size();
     drawn_ok_[key] = ok;
     for (TracedArc& arc : drawn) drawn_.push_back(std::move(arc));

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Dense>
+
+#include "numerics/linear_program.h"
 
 namespace starcell {
 namespace {
@@ -80,26 +83,54 @@ class FanMaker {
     return true;
   }
 
+  // Back between the slab's planes, and again into the cell.
+  Vec3 into_slab(Vec3 apex) const {
+    apex = clamped(apex);
+    const double height = apex.dot(sheet_.direction);
+    return clamped(apex + (std::clamp(height, sheet_.low, sheet_.high) - height) * sheet_.direction);
+  }
+
+  // A point from which the loop's shadow is seen whole: its kernel, by the small linear program.
+  std::optional<Vec3> kernel_point() const {
+    std::vector<Vec3> normals, points;
+    const std::size_t n = loop_.vertices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 &p = vertices_[loop_.vertices[k]], &q = vertices_[loop_.vertices[(k + 1) % n]];
+      const Vec3 outward = (q - p).cross(sheet_.direction);
+      if (!(outward.norm() > 0)) return std::nullopt;
+      normals.push_back(outward.normalized());
+      points.push_back(p);
+    }
+    // The slab's planes too, their distances stretched so that they do not limit the margin.
+    const double stretch = cell_.sizes().x() / std::max(sheet_.high - sheet_.low, 1e-6 * cell_.sizes().x());
+    normals.push_back(stretch * sheet_.direction);
+    points.push_back(centroid_ + (sheet_.high - centroid_.dot(sheet_.direction)) * sheet_.direction);
+    normals.push_back(-stretch * sheet_.direction);
+    points.push_back(centroid_ + (sheet_.low - centroid_.dot(sheet_.direction)) * sheet_.direction);
+    const Vec3 m = Vec3::Constant(margin_);
+    return deepest_point(normals, points, Box3(cell_.min() + m, cell_.max() - m));
+  }
+
   Fan slab() {
     const Vec3 best = error_minimiser();
-    for (const double t : {1.0, 0.5, 0.0}) {
-      Vec3 apex = clamped(centroid_ + t * (best - centroid_));
-      // Back between the slab's planes, and again into the cell: a point between both convex sets' points.
-      const double height = apex.dot(sheet_.direction);
-      apex += (std::clamp(height, sheet_.low, sheet_.high) - height) * sheet_.direction;
-      apex = clamped(apex);
-      if (!faces_direction(apex)) continue;
-      double low = apex.dot(sheet_.direction), high = low;
-      for (const std::uint32_t v : loop_.vertices) {
-        low = std::min(low, vertices_[v].dot(sheet_.direction));
-        high = std::max(high, vertices_[v].dot(sheet_.direction));
-      }
-      Fan fan;
-      fan.apex = apex;
-      fan.bound = std::hypot(std::max(high, sheet_.high) - std::min(low, sheet_.low), loop_.gap);
-      return fan;
-    }
+    for (const double t : {1.0, 0.5, 0.0})
+      if (const auto fan = slab_fan(into_slab(centroid_ + t * (best - centroid_)))) return *fan;
+    if (const auto seen = kernel_point())
+      if (const auto fan = slab_fan(into_slab(*seen))) return *fan;
     return anything();
+  }
+
+  std::optional<Fan> slab_fan(const Vec3& apex) const {
+    if (!faces_direction(apex)) return std::nullopt;
+    double low = apex.dot(sheet_.direction), high = low;
+    for (const std::uint32_t v : loop_.vertices) {
+      low = std::min(low, vertices_[v].dot(sheet_.direction));
+      high = std::max(high, vertices_[v].dot(sheet_.direction));
+    }
+    Fan fan;
+    fan.apex = apex;
+    fan.bound = std::hypot(std::max(high, sheet_.high) - std::min(low, sheet_.low), loop_.gap);
+    return fan;
   }
 
   // Nothing but the cell holds them together.

@@ -30,7 +30,7 @@ class Merger {
  public:
   Merger(SurfaceMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
-  double run() {
+  FlatMerge run() {
     neighbours_ = connect(mesh_.vertices, mesh_.triangles).neighbours;
     find_regions();
     std::vector<char> frozen(regions_.size(), 0);
@@ -38,16 +38,17 @@ class Merger {
     for (int round = 0; round < 20; ++round) {
       classify_vertices(frozen);
       if (!rebuild(frozen)) continue;
-      const std::vector<char> bad = meeting_regions();
+      bool embedded = true;
+      const std::vector<char> bad = meeting_regions(embedded);
       bool again = false;
       for (std::size_t r = 0; r < regions_.size(); ++r)
         if (bad[r] && !frozen[r]) frozen[r] = again = true;
       if (!again) {
         adopt();
-        return moved_;
+        return {tolerance_, embedded};
       }
     }
-    return 0;  // leave everything as it was
+    return {0, false};  // everything stays as it was
   }
 
  private:
@@ -264,11 +265,13 @@ class Merger {
     return triangles;
   }
 
-  std::vector<char> meeting_regions() const {
+  std::vector<char> meeting_regions(bool& embedded) const {
     std::vector<char> bad(regions_.size(), 0);
     for (const bool rounded : {false, true})
-      for (const std::uint32_t t : meeting_triangles(mesh_.vertices, new_triangles_, rounded))
+      for (const std::uint32_t t : meeting_triangles(mesh_.vertices, new_triangles_, rounded)) {
+        embedded = false;
         if (new_region_[t] != none) bad[new_region_[t]] = 1;
+      }
     return bad;
   }
 
@@ -289,13 +292,11 @@ class Merger {
       next.triangles.push_back({map[x[0]], map[x[1]], map[x[2]]});
       next.surface.push_back(new_region_[t] == none ? no_surface : surface_of_region[new_region_[t]]);
     }
-    moved_ = tolerance_;
     mesh_ = std::move(next);
   }
 
   SurfaceMesh& mesh_;
   double tolerance_;
-  double moved_ = 0;
   std::vector<Triangle> neighbours_;
   std::vector<std::uint32_t> region_;
   std::vector<std::vector<std::uint32_t>> regions_;
@@ -307,8 +308,8 @@ class Merger {
 
 }  // namespace
 
-double merge_flat_regions(SurfaceMesh& mesh, double tolerance) {
-  if (mesh.triangles.empty()) return 0;
+FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance) {
+  if (mesh.triangles.empty()) return {0, true};
   return Merger(mesh, tolerance).run();
 }
 

@@ -12,7 +12,12 @@
 
 namespace starcell {
 
-/// Returns how far the surface moved at most (rounding).
-double merge_flat_regions(SurfaceMesh& mesh, double tolerance);
+struct FlatMerge {
+  double moved = 0;       ///< how far the surface moved at most (rounding)
+  bool embedded = false;  ///< the mesh as it is now was tested: no two triangles meet, in double and in float32
+};
+
+/// The mesh must be closed and manifold.
+FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance);
 
 }  // namespace starcell

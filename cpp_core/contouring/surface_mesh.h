@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "solids/polyhedron.h"
+#include "subdivision/trace.h"
 
 namespace starcell {
-
-constexpr std::uint32_t no_surface = UINT32_MAX;
 
 struct SurfaceMesh {
   std::vector<Vec3> vertices;

@@ -13,9 +13,6 @@ namespace {
 constexpr double edge_margin = 2;
 constexpr double crossing_gap = 2;
 
-// Longer arcs are thinned; shorter ones keep every bend, so creases and corners stay where they are.
-constexpr std::size_t few_bends = 5;
-
 double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 d = b - a;
   const double length = d.squaredNorm();
@@ -179,8 +176,8 @@ bool TracePoints::draw(const Face& face, const std::vector<const Arc*>& arcs, do
       std::vector<Vec3> points{vertices_[vertex_of(arc.start)]};
       points.insert(points.end(), arc.bends.begin(), arc.bends.end());
       points.push_back(vertices_[vertex_of(arc.end)]);
-      std::vector<bool> keep(points.size(), !coarse && arc.bends.size() <= few_bends);
-      if (coarse || arc.bends.size() > few_bends)
+      std::vector<bool> keep(points.size(), !coarse && tolerance == 0);
+      if (coarse || tolerance > 0)
         thin(points, 0, points.size() - 1, coarse ? 1e300 : tolerance, keep, drawn[a].gap);
       // Both ends on one edge: the chord would lie on the edge.
       const bool same_edge = arc.start.axis == arc.end.axis && arc.start.i == arc.end.i && arc.start.j == arc.end.j;

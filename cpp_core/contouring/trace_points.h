@@ -28,7 +28,7 @@ class TracePoints {
   void announce(const Arc& arc);
   void place();
 
-  /// The arcs of one minimal face, bends thinned to within `tolerance`. False if they cannot be drawn disjointly.
+  /// The arcs of one minimal face, bends thinned to within `tolerance` (0: all stay). False if they cannot be drawn disjointly.
   bool draw(const Face& face, const std::vector<const Arc*>& arcs, double tolerance, std::vector<TracedArc>& drawn);
 
  private:

@@ -12,6 +12,7 @@
 #include "contouring/embedding.h"
 #include "contouring/flat_regions.h"
 #include "operations/operands.h"
+#include "solids/connectivity.h"
 #include "solids/errors.h"
 #include "subdivision/root_box.h"
 #include "subdivision/subdivide.h"
@@ -134,12 +135,8 @@ class Evaluation {
     c.statistics["seconds.contour"] = watch_.lap();
     if (options_.progress && !options_.progress(0.9, "merging flat regions"))
       throw CancelledError("The run was cancelled.");
-    const double merged = merge_flat_regions(contour.mesh, 1e-11 * std::max(box_.min().cwiseAbs().maxCoeff(),
-                                                                           box_.max().cwiseAbs().maxCoeff()));
+    finish(contour, table, box_of(grid, {{0, 0, 0}, tree.size, 0}));
     c.statistics["seconds.merge"] = watch_.lap();
-    c.error_bound = tolerances_.inputs + table.contact_moved + contour.bound + merged;
-    result_.vertices = std::move(contour.mesh.vertices);
-    result_.triangles = std::move(contour.mesh.triangles);
     conclude(tree, grid);
   }
 
@@ -161,6 +158,24 @@ class Evaluation {
         return made;
       }
     }
+  }
+
+  // Merges flat regions and takes the mesh over if it is what every verdict promises: closed, manifold, embedded. Only
+  // cells that a budget left open can spoil that; then no mesh is better than a wrong one.
+  void finish(Contour& contour, const FacetTable& table, const Box3& root) {
+    Certificate& c = result_.certificate;
+    const double scale = std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff());
+    FlatMerge merge;
+    if (connect(contour.mesh.vertices, contour.mesh.triangles).closed_manifold())
+      merge = merge_flat_regions(contour.mesh, 1e-11 * scale);
+    c.error_bound = tolerances_.inputs + table.contact_moved + contour.bound + merge.moved;
+    if (!merge.embedded) {
+      c.error_bound = std::numeric_limits<double>::infinity();
+      c.unresolved.push_back(root);
+      return;
+    }
+    result_.vertices = std::move(contour.mesh.vertices);
+    result_.triangles = std::move(contour.mesh.triangles);
   }
 
   void conclude(const Octree& tree, const Grid& grid) {

@@ -6,6 +6,7 @@
 #include "subdivision/complex_cell.h"
 #include "subdivision/face_link.h"
 #include "subdivision/face_pieces.h"
+#include "subdivision/face_force.h"
 #include "subdivision/face_trace.h"
 #include "subdivision/grid_line.h"
 #include "subdivision/sheet_shape.h"
@@ -189,6 +190,13 @@ bool Acceptance::accept_complex(const CellProblem& problem, const Box3& box, Lea
 Leaf Acceptance::give_up(CellProblem& problem) const {
   Leaf leaf;
   leaf.resolved = false;
+  for (int side = 0; side < 6; ++side) {
+    const Face face = face_of(problem.cell, side);
+    std::optional<std::vector<Arc>> arcs;
+    if (problem.slots() <= max_slots)
+      arcs = trace_face(restriction_, problem, problem.facets, face, settings_.pull, statistics_);
+    leaf.arcs[side] = arcs ? std::move(*arcs) : force_face(restriction_, problem, face);
+  }
   leaf.problem = std::move(problem);
   return leaf;
 }

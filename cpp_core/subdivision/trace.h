@@ -12,6 +12,9 @@
 
 namespace starcell {
 
+/// Stands for "on no known plane".
+constexpr std::uint32_t no_surface = UINT32_MAX;
+
 /// A crossing of E with a grid line: one surface meets one line once, so line and surface identify it for every cell.
 struct Crossing {
   std::uint8_t axis = 0;         ///< the line's direction
