@@ -6,6 +6,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
+#include <optional>
+
 #include "expression/expression.h"
 #include "operations/boolean.h"
 
@@ -19,6 +22,20 @@ struct PolyhedronSolid : Expression {
 
 struct BoxSolid : PolyhedronSolid {
   using PolyhedronSolid::PolyhedronSolid;
+};
+
+/// Python's Result: the core's, with what its certificate's file has to say beside it.
+struct ResultRecord {
+  Result result;
+  std::optional<Expression> expression;  ///< none: the operation is no Boolean
+  std::optional<double> error;           ///< as asked for
+  std::optional<double> contact;
+};
+
+/// Python's Certificate. Keeps the record, and so the mesh and the operands, for save().
+struct CertificateHandle {
+  std::shared_ptr<const ResultRecord> record;
+  const Certificate& get() const { return record->result.certificate; }
 };
 
 struct HalfSpaceSolid : Expression {

@@ -77,9 +77,10 @@ py::object evaluate_expression(const Expression& expression, std::optional<doubl
     options.progress = report;
     return evaluate(expression, options);
   });
-  const bool unresolved = result.certificate.verdict == Verdict::unresolved;
-  py::object object = py::cast(std::move(result));
-  if (unresolved && raises) raise_unresolved(object, object.cast<const Result&>().certificate);
+  const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
+  const Certificate& certificate = record->result.certificate;
+  py::object object = py::cast(record);
+  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
   return object;
 }
 
@@ -98,35 +99,39 @@ void bind_budget(py::module_& module) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<Result>(module, "Result",
-                     "A closed, oriented, embedded triangle mesh in model units, and what is proved of it.")
+  py::class_<ResultRecord, std::shared_ptr<ResultRecord>>(
+      module, "Result", "A closed, oriented, embedded triangle mesh in model units, and what is proved of it.")
       .def_property_readonly(
-          "vertices", [](const py::object& self) { return view_points(self.cast<const Result&>().vertices, self); },
+          "vertices",
+          [](const py::object& self) { return view_points(self.cast<const ResultRecord&>().result.vertices, self); },
           "(n, 3) float64, model units, read-only.")
       .def_property_readonly(
-          "triangles", [](const py::object& self) { return view_triangles(self.cast<const Result&>().triangles, self); },
+          "triangles",
+          [](const py::object& self) { return view_triangles(self.cast<const ResultRecord&>().result.triangles, self); },
           "(m, 3) int32, read-only: anticlockwise seen from outside.")
-      .def_readonly("certificate", &Result::certificate, "The Certificate of this mesh; its lengths are in model units.")
+      .def_property_readonly(
+          "certificate", [](const std::shared_ptr<ResultRecord>& self) { return CertificateHandle{self}; },
+          "The Certificate of this mesh; its lengths are in model units.")
       .def(
           "as_solid",
-          [](const Result& self) {
+          [](const ResultRecord& self) {
             const py::gil_scoped_release release;
-            return PolyhedronSolid(Polyhedron::trusted(self.vertices, self.triangles));
+            return PolyhedronSolid(Polyhedron::trusted(self.result.vertices, self.result.triangles));
           },
           "This mesh as a Polyhedron, in model units, for further operations. Their certificates are about this mesh as it "
           "is: the distances to the original solids add up, error_bound by error_bound.")
       .def(
           "write",
-          [](const Result& self, const std::filesystem::path& path) {
+          [](const ResultRecord& self, const std::filesystem::path& path) {
             const py::gil_scoped_release release;
-            write_mesh(path, self.vertices, self.triangles);
+            write_mesh(path, self.result.vertices, self.result.triangles);
           },
           py::arg("path"),
           "Writes the mesh, in model units, as .off or .obj (text), .stl or .ply (binary; STL rounds to float32). Raises "
           "ValueError for another extension, FileError if the file cannot be written; no half-written file stays.")
-      .def("__repr__", [](const Result& self) {
-        return "<starcell.Result: " + std::to_string(self.triangles.size()) + " triangles, " +
-               to_string(self.certificate.verdict) + ">";
+      .def("__repr__", [](const ResultRecord& self) {
+        return "<starcell.Result: " + std::to_string(self.result.triangles.size()) + " triangles, " +
+               to_string(self.result.certificate.verdict) + ">";
       });
 }
 

@@ -1,0 +1,58 @@
+// A certificate as a file: one self-contained JSON text with everything that a check of it needs.
+//
+// Holds the operands' meshes, the half-spaces, the expression, the options asked for, the result and every field of the
+// certificate. Numbers are written shortest round trip, so every double comes back bit-identical; what JSON has no number
+// for is the string "infinity", "-infinity" or "nan".
+// Guarantees: what read_certificate() returns is finite where it is geometry, and every index is in range. Says nothing
+// about the geometry itself: that is the checker's business.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certificate/certificate.h"
+#include "expression/expression.h"
+
+namespace starcell {
+
+struct StoredMesh {
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+};
+
+struct StoredOperand {
+  std::string name;
+  double deflection = 0.0;  ///< measured distance to the CAD shape it stands for; 0: none
+  StoredMesh mesh;
+};
+
+/// A node of the expression. A leaf refers to an operand or a half-space, an inner node to nodes before it.
+struct StoredNode {
+  Expression::Kind kind = Expression::Kind::polyhedron;
+  std::uint32_t leaf = 0;
+  std::vector<std::uint32_t> children;
+};
+
+struct CertificateFile {
+  std::vector<StoredOperand> operands;
+  std::vector<HalfSpace> half_spaces;
+  std::vector<StoredNode> expression;  ///< the last node is the root; empty: the result is no Boolean
+  std::optional<double> error;         ///< as asked for; none: the default
+  std::optional<double> contact;
+  StoredMesh result;
+  Certificate certificate;
+};
+
+/// Appends the expression's nodes, operands and half-spaces to the file; a solid that occurs twice is stored once.
+void store_expression(const Expression& expression, CertificateFile& file);
+
+/// Throws FileError; whatever stood at `path` before then stays.
+void write_certificate(const std::filesystem::path& path, const CertificateFile& file);
+
+/// Throws FileError, which says what is wrong with the file and where.
+CertificateFile read_certificate(const std::filesystem::path& path);
+
+}  // namespace starcell

@@ -1,0 +1,25 @@
+// The words of the certificate's file format, shared by its writer and its reader.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "certificate/certificate.h"
+#include "expression/expression.h"
+
+namespace starcell {
+
+inline constexpr const char* certificate_format = "starcell-certificate";
+inline constexpr int certificate_version = 1;
+
+inline constexpr std::array<std::pair<Expression::Kind, const char*>, 5> certificate_kinds{{
+    {Expression::Kind::polyhedron, "operand"},
+    {Expression::Kind::half_space, "half-space"},
+    {Expression::Kind::set_union, "union"},
+    {Expression::Kind::intersection, "intersection"},
+    {Expression::Kind::complement, "complement"},
+}};
+
+inline constexpr std::array<Verdict, 3> certificate_verdicts{Verdict::exact, Verdict::contact, Verdict::unresolved};
+
+}  // namespace starcell
