@@ -2,6 +2,8 @@
 import numpy
 from pivy import coin
 
+from . import mesh_transfer
+
 CREASE_DEGREES = 30.0
 
 
@@ -10,7 +12,7 @@ class CreaseLines:
 
     def __init__(self):
         self.points = coin.SoCoordinate3()
-        self.lines = coin.SoIndexedLineSet()
+        self.lines = coin.SoLineSet()
         look = coin.SoBaseColor()
         look.rgb = (0.05, 0.05, 0.05)
         style = coin.SoDrawStyle()
@@ -29,21 +31,16 @@ class CreaseLines:
         if shaded and shaded.findChild(self.node) < 0:
             shaded.insertChild(coin.SoPolygonOffset(), 0)  # the faces give way to the lines on them
             shaded.addChild(self.node)
-        still = mesh.copy()
-        still.Placement = type(mesh.Placement)()
-        points, facets = still.Topology
-        points = numpy.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
-        edges = creases(points, numpy.array(facets, dtype=int).reshape(-1, 3), CREASE_DEGREES)
+        points, triangles = mesh_transfer.from_mesh(mesh)
+        ends = points[creases(points, triangles, CREASE_DEGREES)].reshape(-1, 3)
         self.points.point.setNum(0)
-        self.points.point.setValues(0, len(points), points.tolist())
-        indices = numpy.column_stack([edges, numpy.full(len(edges), -1)]).ravel()
-        self.lines.coordIndex.setNum(0)
-        self.lines.coordIndex.setValues(0, len(indices), indices.tolist())
+        self.points.point.setValues(0, len(ends), ends.tolist())
+        self.lines.numVertices.setNum(0)
+        self.lines.numVertices.setValues(0, len(ends) // 2, [2] * (len(ends) // 2))
 
     def segments(self):
         """The lines' end points, two by two."""
-        points = self.points.point.getValues()
-        return [points[index].getValue() for index in self.lines.coordIndex.getValues() if index >= 0]
+        return [point.getValue() for point in self.points.point.getValues()]
 
 
 def creases(points, triangles, degrees):
@@ -52,7 +49,7 @@ def creases(points, triangles, degrees):
     normals = numpy.cross(b - a, c - a)
     normals /= numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
     sides = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    order = numpy.lexsort(sides.T)
+    order = numpy.argsort(sides[:, 0] * numpy.int64(len(points)) + sides[:, 1])
     first, second = order[0::2], order[1::2]  # closed: every side comes twice
     count = len(triangles)
     cosine = numpy.einsum("ij,ij->i", normals[first % count], normals[second % count])

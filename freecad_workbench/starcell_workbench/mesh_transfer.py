@@ -1,6 +1,8 @@
-"""The engine's result as a FreeCAD mesh, through a binary PLY in memory: exact in float32, and quick."""
+"""Meshes in and out of FreeCAD, as arrays: exact in float32, and quick."""
 import io
+from itertools import chain
 
+import FreeCAD
 import Mesh
 import numpy
 
@@ -18,7 +20,7 @@ _FACET = numpy.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
 
 def to_mesh(vertices, triangles):
-    """vertices (n, 3), triangles (m, 3) as a Mesh.Mesh; points are rounded to float32, and nothing else is changed."""
+    """vertices (n, 3), triangles (m, 3) as a Mesh.Mesh, through a binary PLY in memory; points are rounded to float32."""
     mesh = Mesh.Mesh()
     if len(triangles):
         facets = numpy.empty(len(triangles), dtype=_FACET)
@@ -29,6 +31,15 @@ def to_mesh(vertices, triangles):
     if mesh.CountFacets != len(triangles) or mesh.CountPoints != len(vertices):
         raise RuntimeError("FreeCAD took {} of {} triangles.".format(mesh.CountFacets, len(triangles)))
     return mesh
+
+
+def from_mesh(mesh):
+    """(vertices (n, 3) float64, triangles (m, 3) int32) of a Mesh.Mesh, in its own coordinates: its placement is left out."""
+    still = mesh.copy()
+    still.Placement = FreeCAD.Placement()
+    points, facets = still.Topology
+    vertices = numpy.fromiter(chain.from_iterable(points), float, 3 * len(points)).reshape(-1, 3)
+    return vertices, numpy.fromiter(chain.from_iterable(facets), numpy.int32, 3 * len(facets)).reshape(-1, 3)
 
 
 def volume(vertices, triangles):

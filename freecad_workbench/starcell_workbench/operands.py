@@ -14,6 +14,7 @@ import FreeCAD
 import numpy
 import Part
 
+from . import mesh_transfer
 from .translation import translate
 
 
@@ -53,13 +54,9 @@ class _MeshLeaf:
     """A mesh: FreeCAD's float32 points, moved in double precision."""
 
     def __init__(self, mesh, matrix):
-        still = mesh.copy()
-        still.Placement = FreeCAD.Placement()
-        points, facets = still.Topology
-        points = numpy.array([(p.x, p.y, p.z) for p in points], dtype=float).reshape(-1, 3)
+        points, self.triangles = mesh_transfer.from_mesh(mesh)
         map_ = numpy.array(matrix.A).reshape(4, 4)
         self.vertices = points @ map_[:3, :3].T + map_[:3, 3]
-        self.triangles = numpy.array(facets, dtype=numpy.int32).reshape(-1, 3)
 
     def box(self):
         return FreeCAD.BoundBox(*self.vertices.min(axis=0), *self.vertices.max(axis=0))

@@ -20,7 +20,7 @@ class Parametric(DocumentTest):
         self.assertSolid(obj, 2000 - 8)
 
     def test_error_changes(self):
-        obj = scw.make_cut(self.a, self.sphere(4))
+        obj = scw.make_cut(self.a, self.sphere(4, (1.3, 2.1, 0.7)))
         coarse = obj.Triangles
         obj.Error = "0.01 mm"
         self.doc.recompute()
@@ -41,7 +41,7 @@ class Parametric(DocumentTest):
         self.assertIn("Up-to-date", obj.State)
 
     def test_same_input_gives_the_same_mesh(self):
-        obj = scw.make_cut(self.a, self.sphere(4))
+        obj = scw.make_cut(self.a, self.sphere(4, (1.3, 2.1, 0.7)))
         first = snapshot(obj)[:2]
         obj.touch()
         self.doc.recompute()

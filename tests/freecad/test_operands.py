@@ -177,16 +177,16 @@ class Kinds(DocumentTest):
 
     def test_another_result(self):
         inner = scw.make_union([self.a, self.box(at=(5, 5, 5), name="B")])
-        obj = scw.make_cut(inner, self.box((20, 20, 5), name="C"))  # takes the lower half of A
-        self.assertSolid(obj, 1875 - 500)
+        obj = scw.make_cut(inner, self.box((30, 30, 5), (-1, -1, -1), name="C"))  # takes A below 4
+        self.assertSolid(obj, 1875 - 400)
         self.assertIn("'Union' is taken as its mesh", obj.Report)
 
     def test_change_runs_through_nested_results(self):
         b = self.box(at=(5, 5, 5), name="B")
-        obj = scw.make_cut(scw.make_union([self.a, b]), self.box((20, 20, 5), name="C"))
+        obj = scw.make_cut(scw.make_union([self.a, b]), self.box((30, 30, 5), (-1, -1, -1), name="C"))
         b.Height = 20
         self.doc.recompute()
-        self.assertSolid(obj, 1000 + 2000 - 250 - 500 + 125)
+        self.assertSolid(obj, 1000 + 2000 - 125 - 400)
 
 
 class Refused(DocumentTest):
