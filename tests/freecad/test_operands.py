@@ -55,6 +55,21 @@ class Placements(DocumentTest):
         self.doc.recompute()
         self.assertBox(obj, (5, 5, 55), (10, 10, 60))
 
+    def test_moving_a_result_moves_what_is_built_on_it_and_computes_only_that(self):
+        inner = scw.make_union([self.box(name="A"), self.box(at=(5, 5, 5), name="B")])
+        obj = scw.make_intersection([inner, self.box((30, 30, 4), (-9, -9, -9), name="C")])
+        self.assertEqual(obj.Triangles, 0)
+        calls = []
+        execute = type(inner.Proxy).execute
+        try:
+            type(inner.Proxy).execute = lambda proxy, each: calls.append(each) or execute(proxy, each)
+            inner.Placement.Base = Vector(0, 0, -9)
+            self.doc.recompute()
+        finally:
+            type(inner.Proxy).execute = execute
+        self.assertEqual(calls, [])
+        self.assertSolid(obj, 400, verdicts=("exact", "contact"))
+
 
 class Kinds(DocumentTest):
     def setUp(self):
