@@ -34,7 +34,8 @@ def parse_positive(value, name):
 def show(value):
     """A length (mm or a quantity) with four digits, rounded up: a bound that is shown must hold."""
     value = getattr(value, "Value", value)
-    return "{:g} mm".format(decimal.Context(prec=4, rounding=decimal.ROUND_CEILING).create_decimal_from_float(value))
+    rounded = decimal.Context(prec=4, rounding=decimal.ROUND_CEILING).create_decimal(repr(float(value)))
+    return "{:.4g} mm".format(float(rounded))
 
 
 def _no_length(name, value):

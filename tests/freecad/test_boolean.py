@@ -100,6 +100,12 @@ class Options(DocumentTest):
         obj = scw.make_union([self.a, self.b], contact="0.0001 mm")
         self.assertAlmostEqual(json.loads(obj.Certificate)["contact_tolerance"], 0.0001)
 
+    def test_shown_lengths_are_rounded_up(self):
+        from starcell_workbench import lengths
+
+        for value, text in ((0.1, "0.1 mm"), (0.12341, "0.1235 mm"), (2.10001e-10, "2.101e-10 mm"), (15, "15 mm"), (0, "0 mm")):
+            self.assertEqual(lengths.show(value), text)
+
     def test_label_and_document(self):
         obj = scw.make_union([self.a, self.b], label="Sum", document=self.doc)
         self.assertEqual(obj.Label, "Sum")
