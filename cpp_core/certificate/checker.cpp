@@ -101,7 +101,14 @@ class Check {
     if (c_.verdict == Verdict::unresolved) return "the verdict is unresolved: nothing is claimed";
     if (operands_hold_ != Answer::yes) return "an operand is no closed, embedded solid";
     std::size_t triangles = file_.result.triangles.size();
-    for (const StoredOperand& operand : file_.operands) triangles += operand.mesh.triangles.size();
+    bool measurable = in_range(file_.result);
+    for (const StoredOperand& operand : file_.operands) {
+      triangles += operand.mesh.triangles.size();
+      measurable = measurable && in_range(operand.mesh);
+    }
+    for (const HalfSpace& h : file_.half_spaces)
+      measurable = measurable && in_range(h.point) && in_range(h.normal / h.normal.cwiseAbs().maxCoeff());
+    if (!measurable) return "a coordinate is too large or too small for CGAL";
     if (triangles > most_triangles) return sentence("too large: ", triangles, " triangles, at most ", most_triangles);
     return "";
   }

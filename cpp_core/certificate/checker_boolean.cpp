@@ -106,9 +106,10 @@ Vector stretched(const Vector& direction, double length) {
 
 /// The half-space cut down to a cuboid that contains the ball of `radius` around `centre` as far as it is inside.
 Mesh cuboid(const HalfSpace& half_space, const Vec3& centre, double radius) {
-  const Vec3 unit = half_space.normal / half_space.normal.cwiseAbs().maxCoeff();
-  // The stored normal itself is the plane's; only its scale may be far from 1.
-  const Vector normal(half_space.normal.x(), half_space.normal.y(), half_space.normal.z());
+  // The plane is the stored one: scaling by a power of two rounds nothing.
+  const int exponent = std::ilogb(half_space.normal.cwiseAbs().maxCoeff());
+  const Vec3 unit = half_space.normal.unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
+  const Vector normal(unit.x(), unit.y(), unit.z());
   const Point on_plane(half_space.point.x(), half_space.point.y(), half_space.point.z());
   const Point middle(centre.x(), centre.y(), centre.z());
   const Kernel::FT height = (middle - on_plane) * normal / normal.squared_length();
@@ -137,6 +138,7 @@ Mesh evaluate(const CertificateFile& file) {
     for (const Vec3& p : operand.mesh.vertices) box.extend(p);
   if (box.isEmpty()) throw Undecided("there is no bounded operand");
   const double radius = box.diagonal().norm() * 1.01;
+  if (!(radius > 1e-100)) throw Undecided("the operands are too small for double arithmetic");
   std::vector<Solid> values;
   for (const StoredNode& node : file.expression) {
     switch (node.kind) {

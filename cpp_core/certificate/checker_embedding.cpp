@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "certificate/checker_cgal.h"
+#include "certificate/checker_mesh.h"
 
 namespace starcell::checker {
 namespace {
@@ -64,6 +65,7 @@ Finding no_self_intersection(const StoredMesh& stored) {
 Finding embedded(const StoredMesh& mesh) {
   for (const Vec3& p : mesh.vertices)
     if (!p.allFinite()) return {Answer::no, "a coordinate is out of range"};
+  if (!in_range(mesh)) return {Answer::unknown, "a coordinate is too large or too small for CGAL"};
   const Finding degenerate = no_degenerate_triangle(mesh);
   if (degenerate.answer != Answer::yes) return degenerate;
   return ask_cgal([&] { return no_self_intersection(mesh); });
@@ -73,7 +75,9 @@ Finding bounds_a_volume(const StoredMesh& mesh) {
   Finding finding = embedded(mesh);
   if (finding.answer != Answer::yes || mesh.triangles.empty()) return finding;
   return ask_cgal([&]() -> Finding {
-    if (CGAL::Polygon_mesh_processing::does_bound_a_volume(*to_cgal(mesh))) return {Answer::yes, ""};
+    if (CGAL::Polygon_mesh_processing::does_bound_a_volume(*to_cgal(mesh)))
+      // CGAL lets the outside be the volume: then the sum has the other sign.
+      return volume(mesh) > 0 ? finding : Finding{Answer::no, "it is inside out: its volume is not positive"};
     return {Answer::no, "its shells are not oriented outward and inward in turn"};
   });
 }

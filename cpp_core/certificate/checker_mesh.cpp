@@ -169,4 +169,13 @@ double largest_coordinate(const StoredMesh& mesh) {
   return largest;
 }
 
+bool in_range(const Vec3& p) {
+  return std::all_of(p.data(), p.data() + 3,
+                     [](double x) { return x == 0 || (std::abs(x) >= 1e-30 && std::abs(x) <= 1e30); });
+}
+
+bool in_range(const StoredMesh& mesh) {
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& p) { return in_range(p); });
+}
+
 }  // namespace starcell::checker

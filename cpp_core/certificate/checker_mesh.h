@@ -30,4 +30,8 @@ double collar(const StoredMesh& mesh, double distance);
 
 double largest_coordinate(const StoredMesh& mesh);
 
+/// Every coordinate is 0 or of a size in [1e-30, 1e30]: beyond, GMP's exact numbers end the process with a signal.
+bool in_range(const Vec3& p);
+bool in_range(const StoredMesh& mesh);
+
 }  // namespace starcell::checker

@@ -210,7 +210,7 @@ class Malformed(Files):
         self.assertIn(says, str(caught.exception))
 
     def test_what_is_no_certificate(self):
-        for text in ("", "{", "[]", "{}", "null", "7", b"\xff\xfe\x00", '{"format": 3}', "[" * 100000, "1e999"):
+        for text in ("", "{", "[]", "{}", "null", "7", b"\xff\xfe\x00", '{"format": 3}', "[" * 100000, "[" * 100000 + "]" * 100000, "1e999"):
             self.refuse(text)
         self.refuse('{"format": "starcell-certificate", "version": 99}', "version")
 
