@@ -95,6 +95,15 @@ TEST(Interval, SignsAreCertainOnlyAwayFromZero) {
   EXPECT_EQ(certain_sign(Interval(-1, 1)), 0);
 }
 
+// Reading a result off is no interval operation: it must be harmless without a Rounding.
+TEST(Interval, TheMiddleLeavesTheRoundingModeAlone) {
+  const int before = std::fegetround();
+  const Interval3 box{Interval(0, 1), Interval(1, 3), Interval(-1, 1)};
+  EXPECT_EQ(box.middle(), Vec3(0.5, 2, 0));
+  EXPECT_EQ(std::fegetround(), before);
+  std::fesetround(before);
+}
+
 // The mode is the whole thread's: whatever runs afterwards relies on round-to-nearest.
 TEST(Interval, TheRoundingModeIsPutBack) {
   const int before = std::fegetround();

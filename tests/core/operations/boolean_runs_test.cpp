@@ -1,4 +1,5 @@
 // How runs end: the same bytes for any number of threads, cancelled at once, honest when a budget ends them.
+#include <cfenv>
 #include <chrono>
 
 #include "operations/results.h"
@@ -29,6 +30,22 @@ TEST(Runs, AnyNumberOfThreadsGivesTheSameBytes) {
 TEST(Runs, TheSameRunTwiceGivesTheSameBytes) {
   const Expression e = two_stones(3);
   EXPECT_TRUE(identical(evaluate(e, with_error(0.05)), evaluate(e, with_error(0.05))));
+}
+
+// Interval arithmetic changes the mode; whoever called the engine computes on in round-to-nearest.
+TEST(Runs, TheRoundingModeIsAsBefore) {
+  ASSERT_EQ(std::fegetround(), FE_TONEAREST);
+  Options options = with_error(0.1);
+  options.progress = [](double, const std::string&) {
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST) << "a callback is the caller's code too";
+    return true;
+  };
+  for (const int threads : {0, 1, 2}) {
+    options.threads = threads;
+    evaluate(two_stones(2), options);
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST) << threads << " threads";
+  }
+  std::fesetround(FE_TONEAREST);  // so that a failure here does not make other tests fail
 }
 
 TEST(Runs, NegativeThreadsAreRefused) {

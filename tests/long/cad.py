@@ -1,0 +1,80 @@
+"""Every CAD file: converted, or refused with a reason; then cut by a copy of itself moved by a quarter of its size.
+
+Passes when the import gives a solid or an sc.Error, and the cut ends with a verdict other than unresolved, a closed mesh,
+and a volume between 0 and the part's own (a part minus anything is inside it). Arguments: parts of file names."""
+import os
+import tempfile
+import zipfile
+
+import numpy as np
+import starcell as sc
+
+from table import Table, apart, files
+
+SECONDS = 600
+
+
+def volume(vertices, triangles):
+    if not len(triangles):
+        return 0.0
+    a, b, c = (vertices[triangles[:, k]] - vertices[0] for k in range(3))
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+
+def area(vertices, triangles):
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+
+def is_closed(triangles):
+    edges = {(t[k], t[k - 2]) for t in triangles.tolist() for k in range(3)}
+    return len(edges) == 3 * len(triangles) and all((b, a) in edges for a, b in edges)
+
+
+def largest_shape(path, folder):
+    """A FreeCAD document keeps its shapes as BREP files in a zip archive: the largest one is the part."""
+    if not path.lower().endswith(".fcstd"):
+        return path
+    with zipfile.ZipFile(path) as archive:
+        shapes = [i for i in archive.infolist() if i.filename.lower().endswith((".brp", ".brep"))]
+        if not shapes:
+            raise sc.FileError("The document contains no shape.")
+        target = os.path.join(folder, "shape.brep")
+        with open(target, "wb") as out:
+            out.write(archive.read(max(shapes, key=lambda i: i.file_size)))
+    return target
+
+
+def run(path):
+    with tempfile.TemporaryDirectory() as folder:
+        shape = largest_shape(path, folder)
+        try:
+            rough = sc.from_brep(shape, 1.0)
+            size = max(h - l for l, h in zip(*rough.bounding_box))
+            part = sc.from_brep(shape, size / 1000)
+        except sc.Error as error:
+            return "refused", "%s: %s" % (type(error).__name__, error)
+    move = np.eye(4)
+    move[:3, 3] = 0.25 * (np.asarray(part.bounding_box[1]) - np.asarray(part.bounding_box[0])) * (1, 0.6, 0.3)
+    whole, cut = (sc.evaluate(e, error=size / 128) for e in (part, part - part.transformed(move)))
+    c = cut.certificate
+    v, left = (volume(np.asarray(r.vertices), np.asarray(r.triangles)) for r in (whole, cut))
+    slack = 2 * (c.error_bound * area(np.asarray(cut.vertices), np.asarray(cut.triangles)) +
+                 whole.certificate.error_bound * area(np.asarray(whole.vertices), np.asarray(whole.triangles)))
+    good = c.verdict != "unresolved" and is_closed(np.asarray(cut.triangles)) and -slack <= left <= v + slack
+    deflection = max((d for _, d in c.tessellated), default=0.0)
+    return "cut", (good, c.verdict, v, left, deflection / size, len(cut.triangles), c.statistics["seconds"])
+
+
+table = Table("file", "verdict", "volume", "after the cut", "deflection / L", "triangles", "seconds")
+for path in files("cad", ".step", ".stp", ".brep", ".fcstd"):
+    name = os.path.basename(path)
+    kind, answer = apart(run, (path,), SECONDS)
+    if kind != "value":
+        table.judge(name, False, kind, answer[:160])
+    elif answer[0] == "refused":
+        table.judge(name, True, "refused", answer[1][:200])
+    else:
+        good, verdict, *numbers = answer[1]
+        table.judge(name, good, verdict, *("%.6g" % x for x in numbers))
+table.end()
