@@ -1,6 +1,7 @@
 // Intervals with directed rounding: the only arithmetic, beside exact predicates, that a certificate may rest on.
 //
-// Rests on Boost.Interval. `Interval` operations are only sound while a Rounding object is alive in the same thread;
+// Rests on Boost.Interval, rounding upward throughout (a lower bound is the negative of an upper one), because switching
+// the mode at every operation was a third of a Boolean's time. `Interval` operations are only sound while a Rounding object is alive in the same thread;
 // keep its scope short and call nothing else inside it, because it changes the rounding mode of all double arithmetic.
 #pragma once
 
@@ -13,7 +14,7 @@ namespace starcell {
 namespace interval_detail {
 using Safe = boost::numeric::interval<
     double, boost::numeric::interval_lib::policies<
-                boost::numeric::interval_lib::save_state<boost::numeric::interval_lib::rounded_transc_std<double>>,
+                boost::numeric::interval_lib::save_state<boost::numeric::interval_lib::rounded_transc_opp<double>>,
                 boost::numeric::interval_lib::checking_base<double>>>;
 }
 

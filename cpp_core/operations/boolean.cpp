@@ -117,7 +117,7 @@ class Evaluation {
 
     AcceptanceSettings settings;
     settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.unit));
-    settings.error = tolerances_.cells - table.contact_moved;
+    settings.error = tolerances_.cells - 2 * table.thickest;
     settings.criterion = options_.criterion;
     SubdivisionLimits limits;
     limits.max_level = grid.depth - smallest_cell_bits;
@@ -168,7 +168,7 @@ class Evaluation {
     FlatMerge merge;
     if (connect(contour.mesh.vertices, contour.mesh.triangles).closed_manifold())
       merge = merge_flat_regions(contour.mesh, 1e-11 * scale);
-    c.error_bound = tolerances_.inputs + table.contact_moved + contour.bound + merge.moved;
+    c.error_bound = tolerances_.inputs + table.thickest + contour.bound + merge.moved;
     if (!merge.embedded) {
       c.error_bound = std::numeric_limits<double>::infinity();
       c.unresolved.push_back(root);

@@ -36,12 +36,29 @@ std::vector<Vec3> vertices_inside(const FacetTable& table, const std::vector<std
   return inside;
 }
 
+// Creases and corners of few planes are worth isolating, whatever the error: they come out exactly, and there are no more
+// cells of this kind than the input has corners. 25 degrees and more is a feature, less is a tessellated curve.
+constexpr std::size_t few_planes = 6;
+constexpr double feature_cosine = 0.9;
+
+bool is_feature(const FacetTable& table, const std::vector<std::uint32_t>& surfaces) {
+  if (surfaces.size() > few_planes) return false;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (std::size_t j = i + 1; j < surfaces.size(); ++j)
+      if (std::abs(table.surfaces[surfaces[i]].normal.dot(table.surfaces[surfaces[j]].normal)) < feature_cosine) return true;
+  return false;
+}
+
 // Facets above which a quick look decides whether the full tests can succeed.
 constexpr std::size_t many_facets = 32;
 // The fan may add its loop's deviation to a slab's thickness: see contouring/loop_points.h.
 constexpr double slab_share = 0.85;
 
 }  // namespace
+
+bool Acceptance::worth_isolating(const std::vector<std::uint32_t>& surfaces) const {
+  return !std::isinf(settings_.error) && is_feature(restriction_.table(), surfaces);
+}
 
 bool Acceptance::small_enough(const Box3& box) const { return box.diagonal().norm() <= 0.98 * settings_.error; }
 
@@ -93,9 +110,10 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
   std::erase_if(groups, [](const Group& g) { return !g.contributes; });
   for (const Group& group : groups) {
     if (group.characteristic != 1) return false;
-    auto sheet = concurrent_sheet(restriction_, box, surfaces_of(table, group.facets),
-                                  vertices_inside(table, group.facets, box));
+    const std::vector<std::uint32_t> surfaces = surfaces_of(table, group.facets);
+    auto sheet = concurrent_sheet(restriction_, box, surfaces, vertices_inside(table, group.facets, box));
     if (!sheet) {
+      if (worth_isolating(surfaces)) return false;
       sheet = slab_sheet(table, box, group.facets, group.flip);
       if (!sheet || sheet->high - sheet->low > slab_share * settings_.error) {
         if (!small_enough(box)) return false;
@@ -142,7 +160,7 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
   for (const PlaneSheet& plane_sheet : *sheets) {
     auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
     if (!sheet) {
-      if (!small_enough(box)) return false;
+      if (worth_isolating(plane_sheet.surfaces) || !small_enough(box)) return false;
       sheet = Sheet();
     }
     sheet->crossings = plane_sheet.crossings;

@@ -39,6 +39,7 @@ class Acceptance {
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool trace_faces(const CellProblem& problem, Leaf& leaf) const;
   bool small_enough(const Box3& box) const;
+  bool worth_isolating(const std::vector<std::uint32_t>& surfaces) const;
 
   const Restriction& restriction_;
   AcceptanceSettings settings_;

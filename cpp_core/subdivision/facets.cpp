@@ -9,8 +9,13 @@
 namespace starcell {
 namespace {
 
-// Coplanar to within the rounding of the coordinates themselves: a rotated box's quads, not a designer's intent.
-constexpr double rounding_scale = 1e-13;
+// Facets of one operand are one surface when they are coplanar to within this share of the coordinates: far above double
+// rounding, far below float32's. Their true planes stay inside the surface's measured thickness, which every certified
+// sign takes into account; planes that meet at a smaller angle would have a common line too uncertain to decide by.
+constexpr double rounding_scale = 1e-9;
+
+// Operands are searched pair by pair up to this many; more of them all at once.
+constexpr std::size_t few_operands = 8;
 
 double magnitude(const std::vector<Vec3>& points) {
   double m = 0;
@@ -97,17 +102,25 @@ class SurfaceIdentity {
     const std::vector<Box3> reach = operand_boxes();
     std::vector<std::uint32_t> ids(table_.size());
     std::iota(ids.begin(), ids.end(), 0u);
-    std::vector<Box> boxes;
-    for (std::size_t s = 0; s + 1 < table_.first.size(); ++s)
+    std::vector<std::vector<Box>> boxes(table_.first.size() - 1);
+    for (std::size_t s = 0; s < boxes.size(); ++s)
       for (std::uint32_t f = table_.first[s]; f < table_.first[s + 1]; ++f) {
         const Box3 box = facet_box(f);
         if (box.intersects(reach[s]))
-          boxes.emplace_back(CGAL::Bbox_3(box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(),
-                                          box.max().z()),
-                             &ids[f]);
+          boxes[s].emplace_back(CGAL::Bbox_3(box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(),
+                                             box.max().z()),
+                                &ids[f]);
       }
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-                                  [&](const Box& a, const Box& b) { compare(*a.handle(), *b.handle()); });
+    const auto visit = [&](const Box& a, const Box& b) { compare(*a.handle(), *b.handle()); };
+    if (boxes.size() <= few_operands) {
+      for (std::size_t s = 0; s < boxes.size(); ++s)
+        for (std::size_t t = s + 1; t < boxes.size(); ++t)
+          CGAL::box_intersection_d(boxes[s].begin(), boxes[s].end(), boxes[t].begin(), boxes[t].end(), visit);
+      return;
+    }
+    std::vector<Box> all;
+    for (const auto& some : boxes) all.insert(all.end(), some.begin(), some.end());
+    CGAL::box_self_intersection_d(all.begin(), all.end(), visit);
   }
 
   void apply() {
@@ -210,6 +223,7 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
     Surface& s = table.surfaces[table.surface[f]];
     s.thickness = std::max(s.thickness, facet_distance(table, s, f) + evaluation);
     if (s.shared) table.contact_moved = std::max(table.contact_moved, s.thickness);
+    table.thickest = std::max(table.thickest, s.thickness);
   }
   return table;
 }

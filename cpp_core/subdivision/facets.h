@@ -26,6 +26,7 @@ struct FacetTable {
   std::vector<std::uint32_t> surface;    ///< per facet
   std::vector<std::uint32_t> first;      ///< facets of operand s are first[s] .. first[s+1]
   std::vector<Surface> surfaces;
+  double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
   double contact_moved = 0;              ///< how far surface identity moved any operand
 
   std::size_t size() const { return corners.size(); }
