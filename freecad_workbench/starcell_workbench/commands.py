@@ -63,13 +63,16 @@ def selected():
 
 
 def _pick(top, path):
-    """The object at the end of a sub-object path, or the first link on the way to it: beyond a link, placements are its own."""
+    """The object at the end of a sub-object path, or the first link or body on the way to it.
+
+    Beyond a link, placements are its own; inside a body are its features, and the body is what they make.
+    """
     steps = path.split(".")[:-1]
     for depth in range(len(steps) + 1):
         each = top.getSubObject(".".join(steps[:depth]) + "." if depth else "", retType=1)
         if each is None:
             return top
-        if each.getLinkedObject(False) is not each:
+        if each.getLinkedObject(False) is not each or each.isDerivedFrom("PartDesign::Body"):
             return each
     return each
 

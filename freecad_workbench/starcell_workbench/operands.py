@@ -43,7 +43,8 @@ class _ShapeLeaf:
 
     def __init__(self, shape, label, folder):
         own = tempfile.mkdtemp(dir=folder)
-        self.path = os.path.join(own, re.sub(r"[^\w .()+-]", "_", label)[:60].strip(" .") + ".bin")
+        name = re.sub(r"[^\w .()+-]", "_", label)[:60].strip(" .")
+        self.path = os.path.join(own, (name or "operand") + ".bin")
         shape.exportBinary(self.path)
 
     def solid(self, starcell, error):

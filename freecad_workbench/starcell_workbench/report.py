@@ -57,7 +57,7 @@ def in_words(obj, certificate, asked, linked):
         lines.append(translate("StarCell", "The result is empty."))
     for name, deflection in certificate.tessellated:
         lines.append(translate("StarCell", "Curved faces of {} were approximated; measured deviation {}, counted in the bound. The topology "
-                                           "is that of the approximation.").format(name or translate("StarCell", "an operand"), lengths.show(deflection)))
+                                           "is that of the approximation.").format(name, lengths.show(deflection)))
     for each in linked:
         inner = each.getLinkedObject(True)
         if getattr(inner, "ErrorBound", None) is not None and inner.isDerivedFrom("Mesh::Feature"):

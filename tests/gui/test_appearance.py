@@ -1,6 +1,7 @@
 """How results look: the warning of an unresolved one, a reopened document, the preferences."""
 import os
 import tempfile
+import zipfile
 from types import SimpleNamespace
 
 import FreeCAD
@@ -81,6 +82,23 @@ class Appearance(window.WindowTest):
         self.assertTrue(FreeCADGui.getDocument(doc.Name).setEdit("Cut"))
         window.look(doc)
         window.shot("reopened", doc)
+
+    def test_document_made_without_a_window_gets_its_looks(self):
+        scw.make_union([self.plate, self.rib])
+        with tempfile.TemporaryDirectory() as folder:
+            path, bare = os.path.join(folder, "seen.FCStd"), os.path.join(folder, "bare.FCStd")
+            self.doc.saveAs(path)
+            FreeCAD.closeDocument(self.doc.Name)
+            with zipfile.ZipFile(path) as whole, zipfile.ZipFile(bare, "w") as without:
+                for name in whole.namelist():
+                    if name != "GuiDocument.xml":  # what a headless session does not write
+                        without.writestr(name, whole.read(name))
+            doc = FreeCAD.openDocument(bare)
+        window.pump()
+        proxy = doc.Union.ViewObject.Proxy
+        self.assertIsInstance(proxy, operation_view.OperationView)
+        self.assertEqual(proxy.claimChildren(), [doc.Plate, doc.Rib])
+        self.assertTrue(proxy.creases.segments())
 
     def test_preferences_page(self):
         found = []

@@ -89,6 +89,15 @@ class Commands(window.WindowTest):
         self.assertEqual(cut.Tools, [link])
         self.assertAlmostEqual(cut.Volume.Value, 20 * 20 * 30, delta=0.1)
 
+    def test_what_is_picked_in_a_body_is_the_body(self):
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        pad = body.newObject("PartDesign::AdditiveBox", "Pad")
+        pad.Length = pad.Width = pad.Height = 20
+        self.doc.recompute()
+        union = self.run_on("StarCell_Union", self.rib, (body, "Pad.Face1"))
+        self.assertEqual(union.Operands, [self.rib, body])
+        self.assertTrue(union.isValid(), union.getStatusString())
+
     def test_failure_leaves_an_object_with_its_error(self):
         sheet = self.doc.addObject("Part::Plane", "Sheet")
         self.doc.recompute()
