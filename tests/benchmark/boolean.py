@@ -16,7 +16,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 BUILD = os.path.join(ROOT, "build", "benchmark")
 MESHES = os.path.normpath(os.path.join(ROOT, "..", "shared", "data", "meshes"))
-REAL = [("cgal_elephant.off", "cgal_dino.off"), ("oded_skull_low_resolution.obj", "cinolib_soccerball.obj"), ("cinolib_Gravgen.obj", "trimesh_featuretype.ply")]
+REAL = [("cgal_elephant.off", "cgal_dino.off"), ("oded_skull_low_resolution.obj", "cinolib_soccerball.obj"), ("cgal_bear.off", "cinolib_blub_triangulated.obj")]
 
 
 def bumpy_torus(triangles, seed, major=2.0, minor=0.8):
