@@ -40,12 +40,16 @@ class Contourer {
         for (const Arc& arc : *f.arcs) points_.announce(arc);
     points_.place();
     for (std::size_t k = 0; k < leaves.size(); ++k) {
+      poll(k);
       bool drawn = true;
       for (int side = 0; side < 6; ++side)
         for (const MinimalFace& f : faces[6 * k + side]) drawn = draw(f) && drawn;
       if (!drawn) result_.failed.push_back(leaves[k]->problem.cell);
     }
-    for (std::size_t k = 0; k < leaves.size(); ++k) fill(*leaves[k], &faces[6 * k]);
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      poll(k);
+      fill(*leaves[k], &faces[6 * k]);
+    }
     std::sort(result_.failed.begin(), result_.failed.end(), [](const Cell& a, const Cell& b) {
       return a.lower != b.lower ? a.lower < b.lower : a.size < b.size;
     });
@@ -56,6 +60,10 @@ class Contourer {
   }
 
  private:
+  void poll(std::size_t k) const {
+    if (k % 1024 == 0 && settings_.poll) settings_.poll();
+  }
+
   // The finest side of a face rules; between equals, the cell below it.
   void gather(const Leaf& leaf, int side, std::vector<MinimalFace>& faces) const {
     const Cell& cell = leaf.problem.cell;

@@ -5,6 +5,8 @@
 // Leaves for which this fails, or whose fans miss the error, are named; the caller refines them and calls again.
 #pragma once
 
+#include <functional>
+
 #include "contouring/surface_mesh.h"
 #include "subdivision/octree.h"
 
@@ -13,6 +15,7 @@ namespace starcell {
 struct ContourSettings {
   double error = 0;
   double pull = 0;
+  std::function<void()> poll;   ///< called now and then; throws to stop
 };
 
 struct Contour {

@@ -110,14 +110,16 @@ class Evaluation {
   void mesh() {
     Certificate& c = result_.certificate;
     const double step = float_step(box_);
-    const FacetTable table = gather_facets(operands_.solids, std::min(tolerances_.contact, 8 * step));
+    const double identical = std::min(tolerances_.contact, 8 * step);
+    FacetTable table = gather_facets(operands_.solids, identical);
+    const double moved = resolve_grazes(table, identical);
     const Grid grid = choose_grid(box_, table);
     const Restriction restriction(table, grid);
     c.statistics["seconds.prepare"] = watch_.lap();
 
     AcceptanceSettings settings;
     settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.unit));
-    settings.error = tolerances_.cells - 2 * table.thickest;
+    settings.error = tolerances_.cells - 2 * table.thickest - moved;
     settings.criterion = options_.criterion;
     SubdivisionLimits limits;
     limits.max_level = grid.depth - smallest_cell_bits;
@@ -135,17 +137,35 @@ class Evaluation {
     c.statistics["seconds.contour"] = watch_.lap();
     if (options_.progress && !options_.progress(0.9, "merging flat regions"))
       throw CancelledError("The run was cancelled.");
-    finish(contour, table, box_of(grid, {{0, 0, 0}, tree.size, 0}));
+    finish(contour, table.thickest + moved, box_of(grid, {{0, 0, 0}, tree.size, 0}));
     c.statistics["seconds.merge"] = watch_.lap();
     conclude(tree, grid);
+  }
+
+  // Operands that graze each other are moved apart by less than the contact tolerance: the result is then that of a
+  // slightly moved input, and says so. Returns how far.
+  double resolve_grazes(FacetTable& table, double identical) {
+    if (table.grazes.empty()) return 0;
+    const std::vector<Graze> grazes = table.grazes;
+    const std::vector<Vec3> shifts = shifts_off_grazes(table, 0.25 * tolerances_.contact);
+    double moved = 0;
+    for (const Vec3& shift : shifts) moved = std::max(moved, shift.norm());
+    if (moved == 0) return 0;
+    const double margin = tolerances_.contact;
+    for (const Graze& g : grazes)
+      result_.certificate.contacts.emplace_back(g.place - Vec3::Constant(margin), g.place + Vec3::Constant(margin));
+    table = gather_facets(operands_.solids, identical, shifts);
+    return moved;
   }
 
   // Contouring names the leaves whose fans do not serve; they are refined and all is contoured again.
   Contour refine_until_good(const Restriction& restriction, Subdivision& subdivision, Octree& tree,
                             const AcceptanceSettings& settings) {
     for (int round = 0;; ++round) {
-      if (options_.progress && !options_.progress(0.8, "contouring")) throw CancelledError("The run was cancelled.");
-      Contour made = contour(restriction, tree, {settings.error, settings.pull});
+      const auto poll = [&] {
+        if (options_.progress && !options_.progress(0.8, "contouring")) throw CancelledError("The run was cancelled.");
+      };
+      Contour made = contour(restriction, tree, {settings.error, settings.pull, poll});
       result_.certificate.statistics["contour_rounds"] = round + 1;
       bool refined = false;
       if (round < most_rounds)
@@ -162,13 +182,13 @@ class Evaluation {
 
   // Merges flat regions and takes the mesh over if it is what every verdict promises: closed, manifold, embedded. Only
   // cells that a budget left open can spoil that; then no mesh is better than a wrong one.
-  void finish(Contour& contour, const FacetTable& table, const Box3& root) {
+  void finish(Contour& contour, double operands_moved, const Box3& root) {
     Certificate& c = result_.certificate;
     const double scale = std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff());
     FlatMerge merge;
     if (connect(contour.mesh.vertices, contour.mesh.triangles).closed_manifold())
       merge = merge_flat_regions(contour.mesh, 1e-11 * scale);
-    c.error_bound = tolerances_.inputs + table.thickest + contour.bound + merge.moved;
+    c.error_bound = tolerances_.inputs + operands_moved + contour.bound + merge.moved;
     if (!merge.embedded) {
       c.error_bound = std::numeric_limits<double>::infinity();
       c.unresolved.push_back(root);

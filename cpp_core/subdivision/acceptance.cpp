@@ -51,6 +51,8 @@ bool is_feature(const FacetTable& table, const std::vector<std::uint32_t>& surfa
 
 // Facets above which a quick look decides whether the full tests can succeed.
 constexpr std::size_t many_facets = 32;
+// The linear program's cost grows with its rows: beyond this a cell is cheaper to split.
+constexpr std::size_t most_star_facets = 400;
 // The fan may add its loop's deviation to a slab's thickness: see contouring/loop_points.h.
 constexpr double slab_share = 0.85;
 
@@ -177,10 +179,11 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
 
 // V-star bounds no distance by itself: only for cells that are small enough, or when topology is all that is asked.
 bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  if (!small_enough(box) || problem.facets.size() > 400) return false;
-  if (!star_direction(restriction_, problem, statistics_)) return false;
-  if (!trace_faces(problem, leaf)) return false;
-  const auto loops = star_loops(leaf, *star_direction(restriction_, problem, statistics_));
+  if (!small_enough(box) || problem.facets.size() > most_star_facets) return false;
+  if (worth_isolating(surfaces_of(restriction_.table(), problem.facets))) return false;
+  const auto direction = star_direction(restriction_, problem, statistics_);
+  if (!direction || !trace_faces(problem, leaf)) return false;
+  const auto loops = star_loops(leaf, *direction);
   if (!loops) return false;
   for (const auto& crossings : *loops) {
     Sheet sheet;

@@ -307,8 +307,8 @@ class Arrangement {
     const bool take_forth = two ? ux * vy - uy * vx < 0 : forth;
     const std::size_t lo = std::min(step.line, j), hi = std::max(step.line, j);
     const Vec2i& p = points_[lo * lines_.size() + hi];
-    double b = std::clamp(boost::numeric::median(p.b), 0.0, size_);
-    double c = std::clamp(boost::numeric::median(p.c), 0.0, size_);
+    double b = std::clamp(middle(p.b), 0.0, size_);
+    double c = std::clamp(middle(p.c), 0.0, size_);
     if (two) {
       // Into the inside quadrant: between where the arc came from and where it goes.
       const double sign = take_forth ? 1 : -1;

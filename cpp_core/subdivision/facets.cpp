@@ -14,6 +14,9 @@ namespace {
 // sign takes into account; planes that meet at a smaller angle would have a common line too uncertain to decide by.
 constexpr double rounding_scale = 1e-9;
 
+// A vertex this near to a foreign plane is on it by intent: generic positions do not come as close.
+constexpr double graze_scale = 1e-11;
+
 // Operands are searched pair by pair up to this many; more of them all at once.
 constexpr std::size_t few_operands = 8;
 
@@ -92,7 +95,7 @@ void find_surfaces(FacetTable& table, double tolerance) {
 // Surfaces of different operands that are one plane within the tolerance, where the operands come near each other.
 class SurfaceIdentity {
  public:
-  SurfaceIdentity(FacetTable& table, double contact) : table_(table), contact_(contact) {
+  SurfaceIdentity(FacetTable& table, double contact, double graze) : table_(table), contact_(contact), graze_(graze) {
     parent_.resize(table.surfaces.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
@@ -146,6 +149,27 @@ class SurfaceIdentity {
     for (std::uint32_t& id : table_.surface) id = root(id);
   }
 
+  // Vertices on foreign planes, less those with a facet of their own in that plane: identity takes care of them.
+  void keep_grazes() {
+    std::sort(noted_.begin(), noted_.end());
+    noted_.erase(std::unique(noted_.begin(), noted_.end()), noted_.end());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> own;  // (vertex, surface) for the noted vertices
+    std::vector<char> wanted(table_.points.size(), 0);
+    for (const Note& n : noted_) wanted[n.vertex] = 1;
+    for (std::uint32_t f = 0; f < table_.size(); ++f)
+      for (const std::uint32_t v : table_.corners[f])
+        if (wanted[v]) own.emplace_back(v, table_.surface[f]);
+    std::sort(own.begin(), own.end());
+    std::uint32_t last_vertex = UINT32_MAX, last_on = UINT32_MAX;
+    for (const Note& n : noted_) {
+      if (n.vertex == last_vertex && n.on == last_on) continue;
+      if (std::binary_search(own.begin(), own.end(), std::pair(n.vertex, table_.surface[n.facet]))) continue;
+      last_vertex = n.vertex;
+      last_on = n.on;
+      table_.grazes.push_back({n.of, n.on, table_.points[n.vertex]});
+    }
+  }
+
  private:
   std::uint32_t root(std::uint32_t id) {
     while (parent_[id] != id) id = parent_[id] = parent_[parent_[id]];
@@ -172,6 +196,8 @@ class SurfaceIdentity {
   }
 
   void compare(std::uint32_t f, std::uint32_t g) {
+    note_grazes(f, g);
+    note_grazes(g, f);
     const std::uint32_t a = root(table_.surface[f]), b = root(table_.surface[g]);
     if (a == b || table_.operand_of(f) == table_.operand_of(g)) return;
     // Each facet against the plane of the other's whole surface: the pair is symmetric and does not depend on order.
@@ -181,9 +207,24 @@ class SurfaceIdentity {
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
+  struct Note {
+    std::uint32_t of, on, vertex, facet;
+    auto operator<=>(const Note&) const = default;
+  };
+
+  void note_grazes(std::uint32_t f, std::uint32_t g) {
+    const Surface& s = table_.surfaces[table_.surface[f]];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& p = table_.corner(g, k);
+      if (distance(s, p) > graze_ || !facet_box(f).contains(p)) continue;
+      noted_.push_back({table_.operand_of(g), table_.operand_of(f), table_.corners[g][k], f});
+    }
+  }
+
   FacetTable& table_;
-  double contact_;
+  double contact_, graze_;
   std::vector<std::uint32_t> parent_;
+  std::vector<Note> noted_;
 };
 
 }  // namespace
@@ -192,7 +233,7 @@ std::uint32_t FacetTable::operand_of(std::uint32_t facet) const {
   return static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), facet) - first.begin() - 1);
 }
 
-FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact) {
+FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts) {
   FacetTable table;
   std::size_t points = 0, facets = 0;
   for (const auto& solid : operands) points += solid->vertices().size(), facets += solid->triangles().size();
@@ -203,7 +244,8 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
   for (const auto& solid : operands) {
     const auto point_shift = static_cast<std::uint32_t>(table.points.size());
     const auto facet_shift = static_cast<std::uint32_t>(table.corners.size());
-    table.points.insert(table.points.end(), solid->vertices().begin(), solid->vertices().end());
+    const Vec3 shift = shifts.empty() ? Vec3(Vec3::Zero()) : shifts[table.first.size() - 1];
+    for (const Vec3& p : solid->vertices()) table.points.push_back(p + shift);
     for (const Triangle& t : solid->triangles())
       table.corners.push_back({t[0] + point_shift, t[1] + point_shift, t[2] + point_shift});
     for (const Triangle& t : solid->neighbours())
@@ -213,9 +255,10 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
   const double scale = magnitude(table.points);
   find_surfaces(table, rounding_scale * scale);
   if (operands.size() > 1) {
-    SurfaceIdentity identity(table, std::max(contact, rounding_scale * scale));
+    SurfaceIdentity identity(table, std::max(contact, rounding_scale * scale), graze_scale * scale);
     identity.find();
     identity.apply();
+    identity.keep_grazes();
   }
   // Rounding of normal . x - offset itself: three products and sums on unit normals.
   const double evaluation = 8 * 2.220446049250313e-16 * scale;
@@ -226,6 +269,31 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
     table.thickest = std::max(table.thickest, s.thickness);
   }
   return table;
+}
+
+std::vector<Vec3> shifts_off_grazes(const FacetTable& table, double reach) {
+  const std::size_t n = table.first.size() - 1;
+  std::vector<Vec3> shifts(n, Vec3::Zero());
+  std::vector<char> grazing(n, 0);
+  for (const Graze& g : table.grazes) grazing[std::max(g.of, g.on)] = 1;
+  // Surfaces that an operand shares must stay where they are: it may only move along all of them.
+  std::vector<std::vector<Vec3>> fixed(n);
+  for (std::size_t s = 0; s < n; ++s)
+    for (std::uint32_t f = table.first[s]; grazing[s] && f < table.first[s + 1]; ++f) {
+      const Surface& surface = table.surfaces[table.surface[f]];
+      if (!surface.shared) continue;
+      Vec3 rest = surface.normal;
+      for (const Vec3& u : fixed[s]) rest -= rest.dot(u) * u;
+      if (rest.norm() > 1e-6) fixed[s].push_back(rest.normalized());
+    }
+  for (std::size_t s = 0; s < n; ++s) {
+    if (!grazing[s]) continue;
+    // No direction is special to the eye, to axes or diagonals; every operand gets one of its own.
+    Vec3 direction(0.5547 + 0.083 * std::sin(2.1 * static_cast<double>(s)), 0.6731, 0.4889 + 0.061 * std::cos(1.7 * static_cast<double>(s)));
+    for (const Vec3& u : fixed[s]) direction -= direction.dot(u) * u;
+    if (direction.norm() > 1e-3) shifts[s] = reach * (0.6 + 0.4 * std::fmod(0.618 * static_cast<double>(s), 1.0)) * direction.normalized();
+  }
+  return shifts;
 }
 
 }  // namespace starcell

@@ -19,6 +19,13 @@ struct Surface {
   bool shared = false;     ///< facets of several operands lie on it: a possible contact
 };
 
+/// A vertex of one operand that lies on another operand's facet although no facet at the vertex does: a sphere's equator in
+/// a box's side. Planes through one point or line in such numbers have no certified arrangement.
+struct Graze {
+  std::uint32_t of, on;   ///< operands: whose vertex, on whose facet
+  Vec3 place;
+};
+
 struct FacetTable {
   std::vector<Vec3> points;
   std::vector<Triangle> corners;
@@ -26,6 +33,7 @@ struct FacetTable {
   std::vector<std::uint32_t> surface;    ///< per facet
   std::vector<std::uint32_t> first;      ///< facets of operand s are first[s] .. first[s+1]
   std::vector<Surface> surfaces;
+  std::vector<Graze> grazes;             ///< ordered, one a vertex and operand
   double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
   double contact_moved = 0;              ///< how far surface identity moved any operand
 
@@ -39,7 +47,11 @@ struct FacetTable {
 };
 
 /// Gathers the operands' facets and finds their surfaces. Facets of different operands are on one surface when each lies
-/// within `contact` of the other's plane and their boxes come that near.
-FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact);
+/// within `contact` of the other's plane and their boxes come that near. `shifts`: a translation for each operand; empty: none.
+FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts = {});
+
+/// Translations, none longer than `reach`, that take operands off each other where they graze and keep every shared surface
+/// shared; all zero if nothing grazes or nothing can be done.
+std::vector<Vec3> shifts_off_grazes(const FacetTable& table, double reach);
 
 }  // namespace starcell
