@@ -120,6 +120,8 @@ class Evaluation {
     AcceptanceSettings settings;
     settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.unit));
     settings.error = tolerances_.cells - 2 * table.thickest - moved;
+    // Moved operands cross their own edges at the scale of the move: nothing there is exact in any case.
+    if (moved > 0) settings.smallest_feature = settings.error;
     settings.criterion = options_.criterion;
     SubdivisionLimits limits;
     limits.max_level = grid.depth - smallest_cell_bits;

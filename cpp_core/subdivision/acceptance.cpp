@@ -58,8 +58,9 @@ constexpr double slab_share = 0.85;
 
 }  // namespace
 
-bool Acceptance::worth_isolating(const std::vector<std::uint32_t>& surfaces) const {
-  return !std::isinf(settings_.error) && is_feature(restriction_.table(), surfaces);
+bool Acceptance::worth_isolating(const std::vector<std::uint32_t>& surfaces, const Box3& box) const {
+  if (std::isinf(settings_.error) || box.diagonal().norm() < settings_.smallest_feature) return false;
+  return is_feature(restriction_.table(), surfaces);
 }
 
 bool Acceptance::small_enough(const Box3& box) const { return box.diagonal().norm() <= 0.98 * settings_.error; }
@@ -115,7 +116,7 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
     const std::vector<std::uint32_t> surfaces = surfaces_of(table, group.facets);
     auto sheet = concurrent_sheet(restriction_, box, surfaces, vertices_inside(table, group.facets, box));
     if (!sheet) {
-      if (worth_isolating(surfaces)) return false;
+      if (worth_isolating(surfaces, box)) return false;
       sheet = slab_sheet(table, box, group.facets, group.flip);
       if (!sheet || sheet->high - sheet->low > slab_share * settings_.error) {
         if (!small_enough(box)) return false;
@@ -162,7 +163,7 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
   for (const PlaneSheet& plane_sheet : *sheets) {
     auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
     if (!sheet) {
-      if (worth_isolating(plane_sheet.surfaces) || !small_enough(box)) return false;
+      if (worth_isolating(plane_sheet.surfaces, box) || !small_enough(box)) return false;
       sheet = Sheet();
     }
     sheet->crossings = plane_sheet.crossings;
@@ -180,7 +181,7 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
 // V-star bounds no distance by itself: only for cells that are small enough, or when topology is all that is asked.
 bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   if (!small_enough(box) || problem.facets.size() > most_star_facets) return false;
-  if (worth_isolating(surfaces_of(restriction_.table(), problem.facets))) return false;
+  if (worth_isolating(surfaces_of(restriction_.table(), problem.facets), box)) return false;
   const auto direction = star_direction(restriction_, problem, statistics_);
   if (!direction || !trace_faces(problem, leaf)) return false;
   const auto loops = star_loops(leaf, *direction);

@@ -16,6 +16,7 @@ namespace starcell {
 
 struct AcceptanceSettings {
   double error = 0;          ///< what the fan may deviate; infinite: topology only
+  double smallest_feature = 0;   ///< smaller cells are not split just to make creases and corners exact
   double pull = 0;           ///< how far sheets in contact are pulled apart
   Criterion criterion = Criterion::trace;
 };
@@ -39,7 +40,7 @@ class Acceptance {
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool trace_faces(const CellProblem& problem, Leaf& leaf) const;
   bool small_enough(const Box3& box) const;
-  bool worth_isolating(const std::vector<std::uint32_t>& surfaces) const;
+  bool worth_isolating(const std::vector<std::uint32_t>& surfaces, const Box3& box) const;
 
   const Restriction& restriction_;
   AcceptanceSettings settings_;
