@@ -36,6 +36,9 @@ class Stopwatch {
 // Cells stay this many float32 steps wide, so that several points fit on an edge.
 constexpr int smallest_cell_bits = 4;
 constexpr int most_rounds = 24;
+// How often another position of the grid is tried, and up to how many leaves.
+constexpr int most_attempts = 5;
+constexpr std::size_t small_tree = 5000;
 
 struct Tolerances {
   double error;     // asked for, in all
@@ -113,35 +116,62 @@ class Evaluation {
     const double identical = std::min(tolerances_.contact, 8 * step);
     FacetTable table = gather_facets(operands_.solids, identical);
     const double moved = resolve_grazes(table, identical);
-    const Grid grid = choose_grid(box_, table);
-    const Restriction restriction(table, grid);
     c.statistics["seconds.prepare"] = watch_.lap();
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const Grid grid = choose_grid(box_, table, attempt);
+      const Restriction restriction(table, grid);
+      const AcceptanceSettings settings = acceptance_settings(table, grid, moved);
+      Reporter reporter(options_.progress, "subdividing", 0, 0.8);
+      Subdivision subdivision(restriction, settings, limits_of(grid), statistics_, reporter);
+      Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
+          std::vector<State>(operands_.solids.size(), State::mixed))));
+      c.statistics["seconds.subdivide"] += watch_.lap();
+      Contour contour = refine_until_good(restriction, subdivision, tree, settings);
+      c.statistics["seconds.contour"] += watch_.lap();
+      c.statistics["grid_attempts"] = attempt + 1;
+      if (attempt + 1 < most_attempts && grazes_grid(tree, contour)) continue;
+      if (options_.progress && !options_.progress(0.9, "merging flat regions"))
+        throw CancelledError("The run was cancelled.");
+      finish(contour, table.thickest + moved, box_of(grid, {{0, 0, 0}, tree.size, 0}));
+      c.statistics["seconds.merge"] = watch_.lap();
+      conclude(tree, grid);
+      return;
+    }
+  }
 
+  double scale() const { return std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff()); }
+
+  AcceptanceSettings acceptance_settings(const FacetTable& table, const Grid& grid, double moved) const {
     AcceptanceSettings settings;
     settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.unit));
     settings.error = tolerances_.cells - 2 * table.thickest - moved;
     // Moved operands cross their own edges at the scale of the move: nothing there is exact in any case.
     if (moved > 0) settings.smallest_feature = settings.error;
     settings.criterion = options_.criterion;
+    return settings;
+  }
+
+  SubdivisionLimits limits_of(const Grid& grid) const {
     SubdivisionLimits limits;
     limits.max_level = grid.depth - smallest_cell_bits;
     if (options_.budget.max_depth > 0) limits.max_level = std::min(limits.max_level, options_.budget.max_depth);
     limits.max_cells = options_.budget.max_cells;
     limits.max_bytes = options_.budget.max_bytes;
     limits.max_seconds = options_.budget.max_seconds;
-    Reporter reporter(options_.progress, "subdividing", 0, 0.8);
-    Subdivision subdivision(restriction, settings, limits, statistics_, reporter);
-    Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
-        std::vector<State>(operands_.solids.size(), State::mixed))));
-    c.statistics["seconds.subdivide"] = watch_.lap();
+    return limits;
+  }
 
-    Contour contour = refine_until_good(restriction, subdivision, tree, settings);
-    c.statistics["seconds.contour"] = watch_.lap();
-    if (options_.progress && !options_.progress(0.9, "merging flat regions"))
-      throw CancelledError("The run was cancelled.");
-    finish(contour, table.thickest + moved, box_of(grid, {{0, 0, 0}, tree.size, 0}));
-    c.statistics["seconds.merge"] = watch_.lap();
-    conclude(tree, grid);
+  // Every sheet is on planes through a point, and yet the fans are not E: a crossing or a corner lies within a float32
+  // step of a cell's side and was moved. In a small tree another grid is cheaper than the lost exactness (DESIGN §4).
+  bool grazes_grid(const Octree& tree, const Contour& contour) const {
+    const std::vector<Leaf*> leaves = tree.leaves();
+    if (leaves.size() > small_tree || contour.bound <= 1e-11 * scale()) return false;
+    for (const Leaf* leaf : leaves) {
+      if (!leaf->resolved) return false;
+      for (const Sheet& sheet : leaf->sheets)
+        if (sheet.contact || sheet.shape == Sheet::Shape::slab || sheet.shape == Sheet::Shape::loose) return false;
+    }
+    return true;
   }
 
   // Operands that graze each other are moved apart by less than the contact tolerance: the result is then that of a
@@ -186,10 +216,9 @@ class Evaluation {
   // cells that a budget left open can spoil that; then no mesh is better than a wrong one.
   void finish(Contour& contour, double operands_moved, const Box3& root) {
     Certificate& c = result_.certificate;
-    const double scale = std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff());
     FlatMerge merge;
     if (connect(contour.mesh.vertices, contour.mesh.triangles).closed_manifold())
-      merge = merge_flat_regions(contour.mesh, 1e-11 * scale);
+      merge = merge_flat_regions(contour.mesh, 1e-11 * scale());
     c.error_bound = tolerances_.inputs + operands_moved + contour.bound + merge.moved;
     if (!merge.embedded) {
       c.error_bound = std::numeric_limits<double>::infinity();

@@ -30,7 +30,7 @@ double float_step(const Box3& box) {
   return std::ldexp(1.0, std::ilogb(reach) + 1 - float_bits);
 }
 
-Grid choose_grid(const Box3& box, const FacetTable& table) {
+Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
   Grid grid;
   grid.unit = float_step(box);
   const double side = 1.1 * std::max(box.sizes().maxCoeff(), 8 * grid.unit);
@@ -47,7 +47,7 @@ Grid choose_grid(const Box3& box, const FacetTable& table) {
     std::int64_t origin = 0;
     for (int k = 0; k < candidates; ++k) {
       // Irrational steps through the middle half of the slack.
-      const double fraction = 0.25 + 0.5 * std::fmod(0.38196601125 + 0.61803398875 * k + 0.137 * axis, 1.0);
+      const double fraction = 0.25 + 0.5 * std::fmod(0.38196601125 + 0.61803398875 * k + 0.137 * axis + 0.0917 * attempt, 1.0);
       grid.origin[axis] = static_cast<std::int64_t>(std::floor((box.min()[axis] - fraction * slack) / grid.unit)) | 1;
       const double c = clearance(grid, axis, coordinates);
       if (c > best) best = c, origin = grid.origin[axis];
