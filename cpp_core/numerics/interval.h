@@ -19,7 +19,31 @@ using Safe = boost::numeric::interval<
                 boost::numeric::interval_lib::checking_base<double>>>;
 }
 
-using Interval = boost::numeric::interval_lib::unprotect<interval_detail::Safe>::type;
+namespace interval_detail {
+
+using Bare = boost::numeric::interval_lib::unprotect<Safe>::type;
+
+// g++ does not know that Rounding changes what a sum is: it would reuse one from before. A value that passes through here
+// is a new one to the compiler, and so is everything computed from it.
+inline double opaque(double x) {
+#if defined(__x86_64__)
+  asm volatile("" : "+x"(x));
+#elif defined(__aarch64__)
+  asm volatile("" : "+w"(x));
+#else
+  asm volatile("" : "+m"(x));
+#endif
+  return x;
+}
+
+}  // namespace interval_detail
+
+class Interval : public interval_detail::Bare {
+ public:
+  Interval(double x = 0.0) : interval_detail::Bare(interval_detail::opaque(x)) {}
+  Interval(double lower, double upper) : interval_detail::Bare(lower, upper) {}
+  Interval(const interval_detail::Bare& x) : interval_detail::Bare(x) {}
+};
 
 /// Alive while interval arithmetic is done; restores the previous rounding mode.
 class Rounding {

@@ -137,7 +137,7 @@ class Arrangement {
         if (!intersect(lines_[lo], lines_[hi], b, c)) return false;
         points_[lo * n + hi] = {b, c};
         const Interval at = along_b ? b : c;
-        order.emplace_back(sense > 0 ? at : -at, static_cast<int>(j));
+        order.emplace_back(sense > 0 ? at : Interval(-at), static_cast<int>(j));
       }
       std::sort(order.begin(), order.end(), [](const auto& x, const auto& y) {
         return x.first.lower() != y.first.lower() ? x.first.lower() < y.first.lower() : x.second < y.second;

@@ -62,7 +62,8 @@ class CurvedSolids(DocumentTest):
         obj = scw.make_union([self.box(), self.sphere()], error="0.1 mm")
         ball = 4 / 3 * math.pi * 6 ** 3
         area = 4 * math.pi * 36 * 7 / 8  # only curved faces deviate
-        self.assertSolid(obj, 1000 + 7 / 8 * ball, relative=0.1 * area / (1000 + 7 / 8 * ball))
+        # The ball's equators lie in the cube's sides, so the verdict may only speak of a slightly moved input.
+        self.assertSolid(obj, 1000 + 7 / 8 * ball, relative=0.1 * area / (1000 + 7 / 8 * ball), verdicts=("exact", "contact"))
         self.assertLessEqual(obj.ErrorBound.Value, 0.1)
         self.assertGreater(obj.ErrorBound.Value, 0)
         self.assertIn("approximated", obj.Report)

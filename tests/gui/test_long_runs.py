@@ -88,7 +88,7 @@ class LongRuns(window.WindowTest):
         self.obj = scw.make_union(balls, error=1)
         self.assertTrue(self.obj.isValid(), self.obj.getStatusString())
         self.facets = self.obj.Mesh.CountFacets
-        self.obj.Error = 0.0005
+        self.obj.Error = 0.003
         self.cancel_by(lambda dialog: window.press(dialog, ESCAPE))
 
     def test_dialog_shows_progress(self):
