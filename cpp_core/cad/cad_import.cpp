@@ -16,8 +16,8 @@ namespace {
 
 void require_positive(double error) {
   if (!(error > 0))
-    throw std::invalid_argument("error must be positive (infinity for the topology only), not " +
-                                std::to_string(error) + ".");
+    throw std::invalid_argument("error must be positive (infinity for the topology only), not " + std::to_string(error) +
+                                ".");
 }
 
 }  // namespace
@@ -27,8 +27,7 @@ Expression import_shape(const TopoDS_Shape& shape, const std::string& name, doub
   return cad::across_boundary<InvalidSolidError>("Cannot import '" + name + "'", [&] {
     if (shape.IsNull()) throw InvalidSolidError("'" + name + "' is an empty shape.");
     std::vector<Expression> leaves;
-    for (const cad::SolidPart& part : cad::solid_parts(shape, name))
-      leaves.emplace_back(cad::import_solid(part, error));
+    for (const cad::SolidPart& part : cad::solid_parts(shape, name)) leaves.emplace_back(cad::import_solid(part, error));
     return leaves.size() == 1 ? leaves.front() : Expression::set_union(leaves);
   });
 }

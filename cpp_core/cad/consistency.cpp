@@ -15,7 +15,7 @@
 namespace starcell::cad {
 namespace {
 
-constexpr double largest_gap = 0.01;         ///< of the solid's size
+constexpr double largest_gap = 0.01;        ///< of the solid's size
 constexpr double largest_parameter = 1e12;  ///< beyond, neighbouring doubles are apart
 
 bool in_range(double first, double last) {

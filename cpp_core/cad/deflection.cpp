@@ -52,7 +52,9 @@ class Measurement {
     const FaceMesh& face = faces_[f];
     const auto known = ElementarySurface::of(face.face);
     if (known) {
-      note(known->largest_distance(triangles_of(face.number, mesh_)), describe(face));
+      // A plane's vertices decide whether the solid is exact; elsewhere a bound below what is already known is idle.
+      const double enough = known->is_plane() ? 0 : worst_.value;
+      note(known->largest_distance(triangles_of(face.number, mesh_), enough), describe(face));
       if (known->is_plane()) return;
     } else {
       note(free_form_deflection(face, mesh_.node_vertices[f], mesh_.vertices), describe(face));

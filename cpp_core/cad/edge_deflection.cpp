@@ -33,9 +33,7 @@ bool samples_are_exact(const TopoDS_Edge& edge) {
 
 }  // namespace
 
-bool is_straight(const TopoDS_Edge& edge) {
-  return has_curve(edge) && BRepAdaptor_Curve(edge).GetType() == GeomAbs_Line;
-}
+bool is_straight(const TopoDS_Edge& edge) { return has_curve(edge) && BRepAdaptor_Curve(edge).GetType() == GeomAbs_Line; }
 
 double curve_deflection(const EdgeNodes& edge, const std::vector<Vec3>& vertices) {
   if (!has_curve(edge.edge) || edge.parameters.size() != edge.vertices.size()) return 0;
@@ -44,8 +42,8 @@ double curve_deflection(const EdgeNodes& edge, const std::vector<Vec3>& vertices
   for (std::size_t i = 0; i + 1 < edge.vertices.size(); ++i)
     for (int k = 0; k <= steps; ++k) {
       const double t = edge.parameters[i] + (edge.parameters[i + 1] - edge.parameters[i]) * k / steps;
-      worst = std::max(worst, distance_to_segment(to_vec3(curve.Value(t)), vertices[edge.vertices[i]],
-                                                  vertices[edge.vertices[i + 1]]));
+      worst = std::max(
+          worst, distance_to_segment(to_vec3(curve.Value(t)), vertices[edge.vertices[i]], vertices[edge.vertices[i + 1]]));
     }
   return worst * (samples_are_exact(edge.edge) ? 1.0 : sampling_margin);
 }
@@ -66,8 +64,8 @@ double strip_deflection(const TopoDS_Edge& edge, const EdgeNodes& nodes, const F
       const gp_XY on_chord = begin * (1 - s) + end * s;
       for (const double blend : {0.0, 0.5, 1.0}) {
         const gp_XY uv = on_curve * (1 - blend) + on_chord * blend;
-        worst = std::max(worst, distance_to_segment(to_vec3(surface.Value(uv.X(), uv.Y())),
-                                                    vertices[nodes.vertices[i]], vertices[nodes.vertices[i + 1]]));
+        worst = std::max(worst, distance_to_segment(to_vec3(surface.Value(uv.X(), uv.Y())), vertices[nodes.vertices[i]],
+                                                    vertices[nodes.vertices[i + 1]]));
       }
     }
   }

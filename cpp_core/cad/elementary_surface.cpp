@@ -69,8 +69,7 @@ std::optional<ElementarySurface> ElementarySurface::of(const TopoDS_Face& face) 
       known.major_ = surface.Torus().MajorRadius();
       known.minor_ = surface.Torus().MinorRadius();
       return known;
-    default:
-      return std::nullopt;
+    default: return std::nullopt;
   }
 }
 
@@ -114,7 +113,7 @@ double ElementarySurface::curvature_bound(const Vec3& centre, double ball) const
   return to_focus > ball ? 1 / (to_focus - ball) : std::numeric_limits<double>::infinity();
 }
 
-double ElementarySurface::largest_distance(const std::vector<std::array<Vec3, 3>>& triangles) const {
+double ElementarySurface::largest_distance(const std::vector<std::array<Vec3, 3>>& triangles, double enough) const {
   constexpr std::size_t most_pieces = 4'000'000;
   double attained = 0;
   const auto bounded = [&](const std::array<Vec3, 3>& corners, const std::array<double, 3>& values) {
@@ -137,7 +136,7 @@ double ElementarySurface::largest_distance(const std::vector<std::array<Vec3, 3>
   const double rounding = 1e-14 * scale;
   for (std::size_t pieces = worst.size(); !worst.empty() && pieces < most_pieces + triangles.size(); pieces += 4) {
     const Piece p = worst.top();
-    if (p.bound <= 1.02 * attained + rounding) break;
+    if (p.bound <= std::max(enough, 1.02 * attained + rounding)) break;
     worst.pop();
     std::array<Vec3, 3> mid;
     std::array<double, 3> value;

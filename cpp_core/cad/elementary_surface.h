@@ -25,8 +25,8 @@ class ElementarySurface {
 
   bool is_plane() const { return kind_ == Kind::plane; }
   double distance(const Vec3& point) const;
-  /// Upper bound of the largest |distance| over all triangles.
-  double largest_distance(const std::vector<std::array<Vec3, 3>>& triangles) const;
+  /// Upper bound of the largest |distance| over all triangles; not refined once it is at most `enough`.
+  double largest_distance(const std::vector<std::array<Vec3, 3>>& triangles, double enough = 0) const;
 
  private:
   enum class Kind { plane, cylinder, cone, sphere, torus };
@@ -35,8 +35,8 @@ class ElementarySurface {
   Kind kind_ = Kind::plane;
   Vec3 origin_ = Vec3::Zero();
   Vec3 axis_ = Vec3::UnitZ();
-  double major_ = 0;  ///< torus: its circle's radius; cone: radius at the origin
-  double minor_ = 0;  ///< radius of the others
+  double major_ = 0;              ///< torus: its circle's radius; cone: radius at the origin
+  double minor_ = 0;              ///< radius of the others
   double sine_ = 0, cosine_ = 1;  ///< of a cone's half angle
 };
 

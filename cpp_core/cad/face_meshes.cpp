@@ -34,16 +34,24 @@ std::vector<FaceMesh> mesh_faces(const TopoDS_Solid& solid, const Resolution& re
     FaceMesh mesh;
     mesh.face = face;
     mesh.number = static_cast<int>(faces.size()) + 1;
-    if (has_surface(face)) mesh.triangulation = BRep_Tool::Triangulation(face, mesh.placement);
+    if (has_surface(face)) mesh.triangulation = mesh.original = BRep_Tool::Triangulation(face, mesh.placement);
     faces.push_back(mesh);
   }
   return faces;
 }
 
 std::string describe(const FaceMesh& mesh) {
-  static const char* const kinds[] = {"plane",   "cylinder",   "cone",      "sphere", "torus", "Bezier surface",
-                                      "B-spline surface", "surface of revolution", "extruded surface",
-                                      "offset surface",   "surface"};
+  static const char* const kinds[] = {"plane",
+                                      "cylinder",
+                                      "cone",
+                                      "sphere",
+                                      "torus",
+                                      "Bezier surface",
+                                      "B-spline surface",
+                                      "surface of revolution",
+                                      "extruded surface",
+                                      "offset surface",
+                                      "surface"};
   const std::string number = "face " + std::to_string(mesh.number);
   if (!has_surface(mesh.face)) return number + " (without a surface)";
   return number + " (" + kinds[BRepAdaptor_Surface(mesh.face, Standard_False).GetType()] + ")";

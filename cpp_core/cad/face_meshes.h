@@ -20,10 +20,11 @@ struct Resolution {
 };
 
 struct FaceMesh {
-  TopoDS_Face face;                         ///< placed, with its orientation in the solid
-  int number = 0;                           ///< 1-based among the solid's boundary faces
+  TopoDS_Face face;                          ///< placed, with its orientation in the solid
+  int number = 0;                            ///< 1-based among the solid's boundary faces
   Handle(Poly_Triangulation) triangulation;  ///< in the face's own coordinates; null if BRepMesh failed
-  TopLoc_Location placement;                ///< from there to the model
+  Handle(Poly_Triangulation) original;       ///< as BRepMesh made it: the edges list its nodes, which both have first
+  TopLoc_Location placement;                 ///< from there to the model
 };
 
 /// `solid` is meshed in place: earlier triangulations are discarded.

@@ -1,7 +1,5 @@
 #include "cad/free_form_deflection.h"
 
-#include <BRepAdaptor_Surface.hxx>
-#include <array>
 #include <limits>
 
 #include "cad/edge_deflection.h"
@@ -10,11 +8,6 @@ namespace starcell::cad {
 namespace {
 
 constexpr int steps = 4;  ///< samples sit at barycentric coordinates that are multiples of 1 / steps
-
-struct Corner {
-  Vec3 point;
-  gp_XY parameter;
-};
 
 struct Sample {
   Vec3 point;
@@ -34,7 +27,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - s * (b - a)).norm();
 }
 
-double distance_to_triangle(const Vec3& p, const std::array<Corner, 3>& t) {
+double distance_to_triangle(const Vec3& p, const std::array<SurfacePoint, 3>& t) {
   const Vec3 normal = (t[1].point - t[0].point).cross(t[2].point - t[0].point);
   bool above = normal.squaredNorm() > 0;
   double nearest = std::numeric_limits<double>::infinity();
@@ -65,7 +58,9 @@ double distance_to_surface(const Vec3& p, gp_XY uv, Sample at, const BRepAdaptor
   return best;
 }
 
-double triangle_deflection(const std::array<Corner, 3>& t, const BRepAdaptor_Surface& surface, double worst) {
+}  // namespace
+
+double triangle_deflection(const std::array<SurfacePoint, 3>& t, const BRepAdaptor_Surface& surface, double worst) {
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; i + j <= steps; ++j) {
       if (i == steps || j == steps || i + j == 0) continue;  // corners
@@ -80,8 +75,6 @@ double triangle_deflection(const std::array<Corner, 3>& t, const BRepAdaptor_Sur
   return worst;
 }
 
-}  // namespace
-
 double free_form_deflection(const FaceMesh& face, const std::vector<std::uint32_t>& node_vertices,
                             const std::vector<Vec3>& vertices) {
   const Poly_Triangulation& triangulation = *face.triangulation;
@@ -91,7 +84,7 @@ double free_form_deflection(const FaceMesh& face, const std::vector<std::uint32_
   for (int i = 1; i <= triangulation.NbTriangles(); ++i) {
     int node[3];
     triangulation.Triangle(i).Get(node[0], node[1], node[2]);
-    std::array<Corner, 3> t;
+    std::array<SurfacePoint, 3> t;
     for (int k = 0; k < 3; ++k) {
       t[k] = {vertices[node_vertices[node[k] - 1]], triangulation.UVNode(node[k]).XY()};
       const Sample at = evaluate(surface, t[k].parameter);

@@ -52,8 +52,7 @@ TopoDS_Shape read_shape(const std::string& path) {
     if (contains("ISO-10303-21")) return read_step(bytes, path);
     if (contains("Open CASCADE Topology V")) return read_binary_brep(bytes, path);
     if (contains("CASCADE Topology V")) return read_text_brep(bytes, path);
-    throw FileError("'" + path + "' is neither BREP (text or binary) nor STEP" +
-                    (bytes.empty() ? ": it is empty." : "."));
+    throw FileError("'" + path + "' is neither BREP (text or binary) nor STEP" + (bytes.empty() ? ": it is empty." : "."));
   });
   if (shape.IsNull()) throw FileError("'" + path + "' holds an empty shape.");
   return shape;

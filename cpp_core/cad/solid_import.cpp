@@ -10,6 +10,8 @@
 
 #include "cad/consistency.h"
 #include "cad/deflection.h"
+#include "cad/edge_deflection.h"
+#include "cad/face_refinement.h"
 #include "cad/stitching.h"
 #include "solids/errors.h"
 
@@ -75,7 +77,7 @@ PolyhedronPtr import_solid(const SolidPart& part, double error) {
   BRepLib::BuildCurves3d(solid);
   if (const std::string defect = inconsistency(solid, size); !defect.empty())
     throw InvalidSolidError("'" + part.name + "' is damaged: " + defect + ".");
-  Resolution resolution{std::isfinite(error) ? error / 4 : size / 100, 0.5};
+  Resolution resolution{std::isfinite(error) ? error / 3 : size / 100, 0.5};
   resolution.length = std::clamp(resolution.length, finest_length, std::max(size / 20, finest_length));
   require_affordable(part, size, resolution.length, error);
   std::string reason;
@@ -83,7 +85,9 @@ PolyhedronPtr import_solid(const SolidPart& part, double error) {
   for (int i = 0, idle = 0; i < attempts; ++i) {
     double shrink = 0.5, narrow = 1;
     try {
-      const std::vector<FaceMesh> faces = mesh_faces(solid, resolution);
+      std::vector<FaceMesh> faces = mesh_faces(solid, resolution);
+      if (std::isfinite(error))
+        for (FaceMesh& face : faces) refine(face, 0.9 * error / 2 / sampling_margin);
       StitchedMesh mesh = stitch(faces);
       const Deflection deflection = measure_deflection(faces, mesh);
       if (deflection.value <= error / 2) {

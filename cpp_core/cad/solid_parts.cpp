@@ -83,8 +83,8 @@ std::vector<SolidPart> solid_parts(const TopoDS_Shape& shape, const std::string&
     if (count(walk.Current(), TopAbs_FACE) > 0) parts.push_back({TopoDS::Solid(walk.Current()), ""});
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (const int open = free_edges(parts[i].solid); open > 0)
-      throw InvalidSolidError("'" + name + "': solid " + std::to_string(i + 1) + " of " +
-                              std::to_string(parts.size()) + " is open: " + plural(open, "free edge") + " among its " +
+      throw InvalidSolidError("'" + name + "': solid " + std::to_string(i + 1) + " of " + std::to_string(parts.size()) +
+                              " is open: " + plural(open, "free edge") + " among its " +
                               plural(count(parts[i].solid, TopAbs_FACE), "face") +
                               ". Repair it in FreeCAD first (Part > Check geometry).");
   for (TopExp_Explorer walk(shape, TopAbs_SHELL, TopAbs_SOLID); walk.More(); walk.Next()) {

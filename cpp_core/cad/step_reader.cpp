@@ -16,9 +16,7 @@ bool shapes_the_model(const std::string& type) {
   return (type.starts_with("StepGeom_") || type.starts_with("StepShape_")) && !type.ends_with("Representation");
 }
 
-bool only_a_name(const std::string& complaint) {
-  return complaint.find("(name) not a quoted String") != std::string::npos;
-}
+bool only_a_name(const std::string& complaint) { return complaint.find("(name) not a quoted String") != std::string::npos; }
 
 bool breaks_the_text(const std::string& complaint) {
   return complaint.find("Undefined Parsing") != std::string::npos ||

@@ -88,13 +88,12 @@ class Stitcher {
       const TopoDS_Edge& edge = TopoDS::Edge(walk.Current());
       if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
       const Handle(Poly_PolygonOnTriangulation)& polygon =
-          BRep_Tool::PolygonOnTriangulation(edge, mesh.triangulation, mesh.placement);
-      if (polygon.IsNull())
-        throw InvalidSolidError("OpenCASCADE left an edge of " + describe(mesh) + " without nodes");
+          BRep_Tool::PolygonOnTriangulation(edge, mesh.original, mesh.placement);
+      if (polygon.IsNull()) throw InvalidSolidError("OpenCASCADE left an edge of " + describe(mesh) + " without nodes");
       std::vector<std::uint32_t> nodes;
       for (int i = 1; i <= polygon->NbNodes(); ++i) {
         const int node = polygon->Node(i);
-        if (node < 1 || node > mesh.triangulation->NbNodes())
+        if (node < 1 || node > mesh.original->NbNodes())
           throw InvalidSolidError("OpenCASCADE numbered the nodes of " + describe(mesh) + " wrongly");
         nodes.push_back(first_node_[f] + static_cast<std::uint32_t>(node) - 1);
       }
@@ -106,8 +105,7 @@ class Stitcher {
                    const Poly_PolygonOnTriangulation& polygon, const FaceMesh& mesh) {
     TopoDS_Vertex first, last;
     TopExp::Vertices(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), first, last);
-    if (first.IsNull() || last.IsNull())
-      throw InvalidSolidError("an edge of " + describe(mesh) + " has no end vertices");
+    if (first.IsNull() || last.IsNull()) throw InvalidSolidError("an edge of " + describe(mesh) + " has no end vertices");
     const auto place = [&](const TopoDS_Vertex& v) { return static_cast<std::uint32_t>(vertices_.FindIndex(v)) - 1; };
     if (BRep_Tool::Degenerated(edge)) {
       for (const std::uint32_t node : nodes) places_.unite(node, place(first));
@@ -123,8 +121,8 @@ class Stitcher {
     }
     const std::vector<std::uint32_t>& known = edges_[index].places;
     if (known.size() != nodes.size())
-      throw InvalidSolidError("an edge of " + describe(mesh) + " has " + std::to_string(nodes.size()) +
-                              " nodes there but " + std::to_string(known.size()) + " in its other face");
+      throw InvalidSolidError("an edge of " + describe(mesh) + " has " + std::to_string(nodes.size()) + " nodes there but " +
+                              std::to_string(known.size()) + " in its other face");
     for (std::size_t i = 0; i < nodes.size(); ++i) places_.unite(known[i], nodes[i]);
   }
 
@@ -171,9 +169,9 @@ class Stitcher {
   TopTools_IndexedMapOfShape edge_index_;
   std::vector<EdgePlaces> edges_;
   Places places_;
-  std::vector<gp_Pnt> positions_;           ///< per place
-  std::vector<std::uint32_t> first_node_;   ///< per face: the place of its first node
-  std::vector<std::uint32_t> number_;       ///< per representative place: vertex of the result
+  std::vector<gp_Pnt> positions_;          ///< per place
+  std::vector<std::uint32_t> first_node_;  ///< per face: the place of its first node
+  std::vector<std::uint32_t> number_;      ///< per representative place: vertex of the result
 };
 
 }  // namespace

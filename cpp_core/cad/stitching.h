@@ -27,9 +27,9 @@ struct EdgeNodes {
 struct StitchedMesh {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
-  std::vector<std::int32_t> cad_face;                    ///< per triangle: FaceMesh::number
+  std::vector<std::int32_t> cad_face;                     ///< per triangle: FaceMesh::number
   std::vector<std::vector<std::uint32_t>> node_vertices;  ///< per face and node (from 0): its vertex
-  std::vector<EdgeNodes> edges;                          ///< without poles
+  std::vector<EdgeNodes> edges;                           ///< without poles
 };
 
 /// Throws InvalidSolidError naming the faces that have no triangulation, or the edges that do not fit.

@@ -21,8 +21,8 @@ constexpr double pi = std::numbers::pi;
 struct Known {
   TopoDS_Shape shape;
   double volume, area;
-  std::function<double(const Vec3&)> distance;          ///< to its boundary, for points near it
-  std::function<Vec3(double u, double v)> boundary;     ///< u, v in [0, 1]
+  std::function<double(const Vec3&)> distance;       ///< to its boundary, for points near it
+  std::function<Vec3(double u, double v)> boundary;  ///< u, v in [0, 1]
   int euler = 2;
 };
 
@@ -51,7 +51,9 @@ Known frustum(const TopoDS_Shape& shape, double a, double b, double h) {
 }
 
 Known torus(double major, double minor) {
-  return {BRepPrimAPI_MakeTorus(major, minor).Shape(), 2 * pi * pi * major * minor * minor, 4 * pi * pi * major * minor,
+  return {BRepPrimAPI_MakeTorus(major, minor).Shape(),
+          2 * pi * pi * major * minor * minor,
+          4 * pi * pi * major * minor,
           [=](const Vec3& p) { return std::abs(std::hypot(std::hypot(p.x(), p.y()) - major, p.z()) - minor); },
           [=](double u, double v) {
             const double radius = major + minor * std::cos(2 * pi * v);
@@ -85,8 +87,7 @@ TEST(CurvedSolid, Sphere) {
 }
 
 TEST(CurvedSolid, Cylinder) {
-  for (const double error : {0.5, 0.01, 0.001})
-    check(frustum(BRepPrimAPI_MakeCylinder(2, 7).Shape(), 2, 2, 7), error);
+  for (const double error : {0.5, 0.01, 0.001}) check(frustum(BRepPrimAPI_MakeCylinder(2, 7).Shape(), 2, 2, 7), error);
 }
 
 TEST(CurvedSolid, ConeWithAnApex) {

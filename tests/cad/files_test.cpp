@@ -59,8 +59,7 @@ std::string freecad_binary() {
 class CadFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("starcell-cad-" + std::to_string(std::random_device()()));
+    folder_ = std::filesystem::temp_directory_path() / ("starcell-cad-" + std::to_string(std::random_device()()));
     std::filesystem::create_directory(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }

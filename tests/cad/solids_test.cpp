@@ -118,8 +118,7 @@ TEST(CadSolid, FusedAndFilleted) {
 }
 
 TEST(CadSolid, CavityIsAnInnerShell) {
-  const TopoDS_Shape hollow =
-      BRepAlgoAPI_Cut(box(4, 4, 4), moved(BRepPrimAPI_MakeSphere(1).Shape(), 2, 2, 2)).Shape();
+  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(box(4, 4, 4), moved(BRepPrimAPI_MakeSphere(1).Shape(), 2, 2, 2)).Shape();
   const Expression solid = import_shape(hollow, "hollow", 0.05);
   EXPECT_EQ(euler_characteristic(leaf(solid)), 4);  // two spheres
   EXPECT_NEAR(volume(leaf(solid)), 64 - 4 * pi / 3, leaf(solid).provenance().deflection * 4 * pi);
@@ -140,7 +139,8 @@ TEST(CadSolid, InstancesKeepTheirPlaces) {
   gp_Trsf turn;
   turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 1, 0)), 1);
   const Expression both = import_shape(
-      compound({compound({moved(ball, 5, 0, 0)}), compound({moved(ball, -5, 0, 0)}).Moved(TopLoc_Location(turn))}), "two", 0.1);
+      compound({compound({moved(ball, 5, 0, 0)}), compound({moved(ball, -5, 0, 0)}).Moved(TopLoc_Location(turn))}), "two",
+      0.1);
   ASSERT_EQ(both.operands().size(), 2u);
   EXPECT_NEAR(leaf(both.operands()[0]).bounding_box().center().x(), 5, 0.1);
   const gp_Pnt centre = gp_Pnt(-5, 0, 0).Transformed(turn);
@@ -151,8 +151,7 @@ TEST(CadSolid, InstancesKeepTheirPlaces) {
 TEST(CadSolid, MirroredSolidsFaceOutward) {
   gp_Trsf mirror;
   mirror.SetMirror(gp_Ax2(gp_Pnt(10, 0, 0), gp_Dir(1, 0, 0)));
-  const TopoDS_Shape block =
-      BRepAlgoAPI_Cut(box(4, 4, 4), moved(BRepPrimAPI_MakeCylinder(1, 6).Shape(), 2, 2, -1)).Shape();
+  const TopoDS_Shape block = BRepAlgoAPI_Cut(box(4, 4, 4), moved(BRepPrimAPI_MakeCylinder(1, 6).Shape(), 2, 2, -1)).Shape();
   const Expression copied = import_shape(BRepBuilderAPI_Transform(block, mirror).Shape(), "copied", 0.05);
   const Expression placed = import_shape(block.Moved(TopLoc_Location(mirror), Standard_False), "placed", 0.05);
   for (const Expression& solid : {copied, placed}) {
