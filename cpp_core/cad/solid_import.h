@@ -1,7 +1,7 @@
 // One CAD solid to one polyhedron within a budget: mesh, stitch, measure, validate, and finer again where needed.
 //
-// Rests on face_meshes, face_refinement, stitching, deflection. A mesh whose faces cut each other because it is too coarse, or that is
-// farther from the solid than error / 2, is made anew at half the length and angle or less, a few times.
+// Rests on face_meshes, face_refinement, stitching, deflection. A mesh whose faces cut each other because it is too
+// coarse, or that is farther from the solid than error / 2, is made anew at a finer length and angle, a few times.
 // Guarantees: the polyhedron is valid and its measured deflection at most error / 2; the attempts depend on nothing
 // but the solid and the error. Throws InvalidSolidError with the last reason otherwise.
 #pragma once
