@@ -122,7 +122,7 @@ class Contourer {
       return;
     }
     const Box3 box = box_of(restriction_.grid(), cell);
-    const double margin = std::min(2 * restriction_.grid().unit, 0.25 * box.sizes().x());
+    const double margin = restriction_.grid().margin(cell.size);
     std::vector<std::pair<std::size_t, std::size_t>> fans;
     bool good = true;
     for (const Loop& loop : *loops) {
@@ -141,7 +141,7 @@ class Contourer {
     for (std::size_t a = 0; a < fans.size() && good; ++a)
       for (std::size_t b = a + 1; b < fans.size() && good; ++b)
         good = !fans_meet(result_.mesh.vertices, triangles + fans[a].first, fans[a].second, triangles + fans[b].first,
-                          fans[b].second);
+                          fans[b].second, restriction_.grid().holds_floats(cell.size));
     if (!good) result_.failed.push_back(cell);
   }
 

@@ -28,8 +28,9 @@ std::vector<Vec3> rounded_copy(const std::vector<Vec3>& vertices) {
 }  // namespace
 
 bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,
-               std::size_t count_b) {
+               std::size_t count_b, bool rounded_too) {
   for (const bool rounded : {false, true}) {
+    if (rounded && !rounded_too) continue;
     for (std::size_t i = 0; i < count_a; ++i)
       for (std::size_t j = 0; j < count_b; ++j) {
         if (!rounded) {

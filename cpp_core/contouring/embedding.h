@@ -10,8 +10,9 @@ namespace starcell {
 std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                              bool rounded);
 
-/// Does any triangle of one fan meet one of the other? Both index `vertices`; they share no vertex.
+/// Does any triangle of one fan meet one of the other? Both index `vertices`; they share no vertex. `rounded_too`: also once
+/// rounded to float32.
 bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,
-               std::size_t count_b);
+               std::size_t count_b, bool rounded_too = true);
 
 }  // namespace starcell

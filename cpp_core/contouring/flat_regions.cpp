@@ -38,17 +38,17 @@ class Merger {
     for (int round = 0; round < 20; ++round) {
       classify_vertices(frozen);
       if (!rebuild(frozen)) continue;
-      bool embedded = true;
-      const std::vector<char> bad = meeting_regions(embedded);
+      FlatMerge result{tolerance_, true, {}};
+      const std::vector<char> bad = meeting_regions(result);
       bool again = false;
       for (std::size_t r = 0; r < regions_.size(); ++r)
         if (bad[r] && !frozen[r]) frozen[r] = again = true;
       if (!again) {
         adopt();
-        return {tolerance_, embedded};
+        return result;
       }
     }
-    return {0, false};  // everything stays as it was
+    return {0, false, {}};  // everything stays as it was
   }
 
  private:
@@ -265,12 +265,18 @@ class Merger {
     return triangles;
   }
 
-  std::vector<char> meeting_regions(bool& embedded) const {
+  std::vector<char> meeting_regions(FlatMerge& result) const {
     std::vector<char> bad(regions_.size(), 0);
     for (const bool rounded : {false, true})
       for (const std::uint32_t t : meeting_triangles(mesh_.vertices, new_triangles_, rounded)) {
-        embedded = false;
         if (new_region_[t] != none) bad[new_region_[t]] = 1;
+        if (!rounded) {
+          result.embedded = false;
+          continue;
+        }
+        Box3 box;
+        for (const std::uint32_t v : new_triangles_[t]) box.extend(mesh_.vertices[v]);
+        result.meeting_as_floats.push_back(box);
       }
     return bad;
   }
@@ -309,7 +315,7 @@ class Merger {
 }  // namespace
 
 FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance) {
-  if (mesh.triangles.empty()) return {0, true};
+  if (mesh.triangles.empty()) return {0, true, {}};
   return Merger(mesh, tolerance).run();
 }
 

@@ -5,7 +5,7 @@
 // corners that stay. So the surface does not change as a set, up to rounding, and neither does its topology: each region
 // is replaced by a triangulation of the same polygon with the same boundary.
 // Guarantees: closed and manifold as before; embedded in double and in float32, tested exactly: regions whose new triangles
-// meet anything are left as they were.
+// meet anything are left as they were. What still meets is said.
 #pragma once
 
 #include "contouring/surface_mesh.h"
@@ -14,7 +14,8 @@ namespace starcell {
 
 struct FlatMerge {
   double moved = 0;       ///< how far the surface moved at most (rounding)
-  bool embedded = false;  ///< the mesh as it is now was tested: no two triangles meet, in double and in float32
+  bool embedded = false;  ///< the mesh as it is now was tested: no two triangles meet
+  std::vector<Box3> meeting_as_floats;  ///< triangles that meet others once rounded to float32: slivers thinner than its step
 };
 
 /// The mesh must be closed and manifold.

@@ -9,10 +9,6 @@
 namespace starcell {
 namespace {
 
-// In grid units, each at least one float32 step: room for a point on an edge, and between two of them.
-constexpr double edge_margin = 2;
-constexpr double crossing_gap = 2;
-
 double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 d = b - a;
   const double length = d.squaredNorm();
@@ -87,7 +83,6 @@ void TracePoints::place() {
   crossings_.resize(kept);
   moved_.assign(kept, 0);
   const Grid& grid = restriction_.grid();
-  const double gap = crossing_gap * grid.unit, margin = edge_margin * grid.unit;
   std::vector<std::size_t> order;
   for (std::size_t first = 0; first < kept;) {
     std::size_t last = first;
@@ -101,7 +96,10 @@ void TracePoints::place() {
       if (x.at != y.at) return x.at < y.at;
       return x.surface < y.surface;
     });
+    const auto margin_of = [&](const Crossing& x) { return grid.margin(x.high - x.low); };
+    const auto gap = [&](std::size_t k) { return std::min(margin_of(crossings_[order[k]]), margin_of(crossings_[order[k + 1]])); };
     const auto limits = [&](const Crossing& x) {
+      const double margin = margin_of(x);
       return std::pair(grid.coordinate(x.axis, x.low) + margin, grid.coordinate(x.axis, x.high) - margin);
     };
     std::vector<double> at(order.size());
@@ -109,11 +107,11 @@ void TracePoints::place() {
       const Crossing& x = crossings_[order[k]];
       const auto [low, high] = limits(x);
       at[k] = std::clamp(x.at, low, std::max(low, high));
-      if (k > 0) at[k] = std::max(at[k], at[k - 1] + gap);
+      if (k > 0) at[k] = std::max(at[k], at[k - 1] + gap(k - 1));
     }
     for (std::size_t k = order.size(); k-- > 0;) {
       double bound = limits(crossings_[order[k]]).second;
-      if (k + 1 < order.size()) bound = std::min(bound, at[k + 1] - gap);
+      if (k + 1 < order.size()) bound = std::min(bound, at[k + 1] - gap(k));
       at[k] = std::min(at[k], bound);
     }
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -140,13 +138,14 @@ void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<s
   const std::uint32_t start = vertex_of(arc.start), end = vertex_of(arc.end);
   drawn.vertices.push_back(start);
   std::size_t previous = 0;
+  const double margin = grid.margin(face.size);
   const double exact = 1e-12 * std::max(vertices_[start].cwiseAbs().maxCoeff(), grid.unit);
   std::vector<double> moves{moved_[start]};
   for (const std::size_t bend : kept) {
     Vec3 p = arc.bends[bend];
     const Vec3 low = grid.point(face.corner(0, 0)), high = grid.point(face.corner(1, 1));
     for (const int axis : {face.b_axis(), face.c_axis()})
-      p[axis] = std::clamp(p[axis], low[axis] + edge_margin * grid.unit, high[axis] - edge_margin * grid.unit);
+      p[axis] = std::clamp(p[axis], low[axis] + margin, high[axis] - margin);
     moves.push_back((p - arc.bends[bend]).norm());
     drawn.surfaces.push_back(bend == previous ? arc.surfaces[bend] : no_surface);
     previous = bend + 1;
@@ -194,7 +193,7 @@ bool TracePoints::draw(const Face& face, const std::vector<const Arc*>& arcs, do
         if (keep[k]) kept.push_back(k - 1);
       draw_arc(face, arc, kept, drawn[a]);
     }
-    if (disjoint(face, drawn, false) && disjoint(face, drawn, true)) return true;
+    if (disjoint(face, drawn, false) && (!restriction_.grid().holds_floats(face.size) || disjoint(face, drawn, true))) return true;
   }
   return false;
 }

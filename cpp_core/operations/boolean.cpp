@@ -14,6 +14,7 @@
 #include "operations/operands.h"
 #include "solids/connectivity.h"
 #include "solids/errors.h"
+#include "subdivision/grazes.h"
 #include "subdivision/root_box.h"
 #include "subdivision/subdivide.h"
 
@@ -33,12 +34,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Cells stay this many float32 steps wide, so that several points fit on an edge.
+// Cells stay this many grid units wide.
 constexpr int smallest_cell_bits = 4;
 constexpr int most_rounds = 24;
 // How often another position of the grid is tried, and up to how many leaves.
 constexpr int most_attempts = 5;
 constexpr std::size_t small_tree = 5000;
+// How often operands are moved when cells stay open.
+constexpr int most_retries = 2;
 
 struct Tolerances {
   double error;     // asked for, in all
@@ -110,32 +113,81 @@ class Evaluation {
     return {box.min() - m, box.max() + m};
   }
 
+  // One run of the engine, before its mesh is taken over.
+  struct Run {
+    Grid grid;
+    Contour contour;
+    std::vector<Box3> unresolved, contacts;
+    std::vector<Graze> suspects;   // unresolved cells that several operands reach
+    double operands_moved = 0;
+    std::size_t leaves = 0;
+  };
+
   void mesh() {
     Certificate& c = result_.certificate;
     const double step = float_step(box_);
     const double identical = std::min(tolerances_.contact, 8 * step);
     FacetTable table = gather_facets(operands_.solids, identical);
-    const double moved = resolve_grazes(table, identical);
+    std::vector<Graze> grazes = std::move(table.grazes);
+    double moved = move_apart(table, grazes, identical, 0);
     c.statistics["seconds.prepare"] = watch_.lap();
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      const Grid grid = choose_grid(box_, table, attempt);
-      const Restriction restriction(table, grid);
-      const AcceptanceSettings settings = acceptance_settings(table, grid, moved);
+    Run best = subdivide(table, moved);
+    // What stayed open at the smallest cells may be a contact that no vertex or edge showed: any other position of the
+    // operands is as good within the contact tolerance, and a generic one comes to an end.
+    for (int retry = 1; retry <= most_retries && !best.unresolved.empty() && !best.suspects.empty(); ++retry) {
+      std::vector<Graze> all = grazes;
+      all.insert(all.end(), best.suspects.begin(), best.suspects.end());
+      moved = move_apart(table, all, identical, retry);
+      if (moved == 0) break;
+      Run next = subdivide(table, moved);
+      if (next.unresolved.size() >= best.unresolved.size()) continue;
+      grazes = std::move(all);
+      best = std::move(next);
+    }
+    if (best.operands_moved > 0)
+      for (const Graze& g : grazes) {
+        const Vec3 margin = Vec3::Constant(tolerances_.contact);
+        best.contacts.emplace_back(g.place - margin, g.place + margin);
+      }
+    if (options_.progress && !options_.progress(0.9, "merging flat regions"))
+      throw CancelledError("The run was cancelled.");
+    finish(best);
+    c.statistics["seconds.merge"] = watch_.lap();
+  }
+
+  Run subdivide(const FacetTable& table, double moved) {
+    Certificate& c = result_.certificate;
+    Run run;
+    run.operands_moved = table.thickest + moved;
+    for (int attempt = 0;; ++attempt) {
+      run.grid = choose_grid(box_, table, attempt);
+      const Restriction restriction(table, run.grid);
+      const AcceptanceSettings settings = acceptance_settings(table, run.grid, moved);
       Reporter reporter(options_.progress, "subdividing", 0, 0.8);
-      Subdivision subdivision(restriction, settings, limits_of(grid), statistics_, reporter);
+      Subdivision subdivision(restriction, settings, limits_of(run.grid), statistics_, reporter);
       Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
           std::vector<State>(operands_.solids.size(), State::mixed))));
       c.statistics["seconds.subdivide"] += watch_.lap();
-      Contour contour = refine_until_good(restriction, subdivision, tree, settings);
+      run.contour = refine_until_good(restriction, subdivision, tree, settings);
       c.statistics["seconds.contour"] += watch_.lap();
       c.statistics["grid_attempts"] = attempt + 1;
-      if (attempt + 1 < most_attempts && grazes_grid(tree, contour)) continue;
-      if (options_.progress && !options_.progress(0.9, "merging flat regions"))
-        throw CancelledError("The run was cancelled.");
-      finish(contour, table.thickest + moved, box_of(grid, {{0, 0, 0}, tree.size, 0}));
-      c.statistics["seconds.merge"] = watch_.lap();
-      conclude(tree, grid);
-      return;
+      if (attempt + 1 < most_attempts && grazes_grid(tree, run.contour)) continue;
+      report(tree, table, run);
+      return run;
+    }
+  }
+
+  static void report(const Octree& tree, const FacetTable& table, Run& run) {
+    for (const Leaf* leaf : tree.leaves()) {
+      ++run.leaves;
+      const Box3 box = box_of(run.grid, leaf->problem.cell);
+      if (leaf->contact) run.contacts.push_back(box);
+      if (leaf->resolved) continue;
+      run.unresolved.push_back(box);
+      const auto& facets = leaf->problem.facets;
+      if (facets.empty()) continue;
+      const std::uint32_t first = table.operand_of(facets.front()), last = table.operand_of(facets.back());
+      if (first != last) run.suspects.push_back({first, last, box.center()});
     }
   }
 
@@ -143,7 +195,7 @@ class Evaluation {
 
   AcceptanceSettings acceptance_settings(const FacetTable& table, const Grid& grid, double moved) const {
     AcceptanceSettings settings;
-    settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.unit));
+    settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.step));
     settings.error = tolerances_.cells - 2 * table.thickest - moved;
     // Moved operands cross their own edges at the scale of the move: nothing there is exact in any case.
     if (moved > 0) settings.smallest_feature = settings.error;
@@ -175,18 +227,13 @@ class Evaluation {
   }
 
   // Operands that graze each other are moved apart by less than the contact tolerance: the result is then that of a
-  // slightly moved input, and says so. Returns how far.
-  double resolve_grazes(FacetTable& table, double identical) {
-    if (table.grazes.empty()) return 0;
-    const std::vector<Graze> grazes = table.grazes;
-    const std::vector<Vec3> shifts = shifts_off_grazes(table, 0.25 * tolerances_.contact);
+  // slightly moved input, and says so. Returns how far; 0 if nothing was moved and the table is as it was.
+  double move_apart(FacetTable& table, const std::vector<Graze>& grazes, double identical, int attempt) const {
+    if (grazes.empty()) return 0;
     double moved = 0;
+    const std::vector<Vec3> shifts = shifts_off_grazes(table, grazes, 0.25 * tolerances_.contact, attempt);
     for (const Vec3& shift : shifts) moved = std::max(moved, shift.norm());
-    if (moved == 0) return 0;
-    const double margin = tolerances_.contact;
-    for (const Graze& g : grazes)
-      result_.certificate.contacts.emplace_back(g.place - Vec3::Constant(margin), g.place + Vec3::Constant(margin));
-    table = gather_facets(operands_.solids, identical, shifts);
+    if (moved > 0) table = gather_facets(operands_.solids, identical, shifts);
     return moved;
   }
 
@@ -214,32 +261,25 @@ class Evaluation {
 
   // Merges flat regions and takes the mesh over if it is what every verdict promises: closed, manifold, embedded. Only
   // cells that a budget left open can spoil that; then no mesh is better than a wrong one.
-  void finish(Contour& contour, double operands_moved, const Box3& root) {
+  void finish(Run& run) {
     Certificate& c = result_.certificate;
+    SurfaceMesh& mesh = run.contour.mesh;
     FlatMerge merge;
-    if (connect(contour.mesh.vertices, contour.mesh.triangles).closed_manifold())
-      merge = merge_flat_regions(contour.mesh, 1e-11 * scale());
-    c.error_bound = tolerances_.inputs + operands_moved + contour.bound + merge.moved;
-    if (!merge.embedded) {
+    if (connect(mesh.vertices, mesh.triangles).closed_manifold()) merge = merge_flat_regions(mesh, 1e-11 * scale());
+    c.error_bound = tolerances_.inputs + run.operands_moved + run.contour.bound + merge.moved;
+    c.unresolved = std::move(run.unresolved);
+    c.contacts = std::move(run.contacts);
+    statistics_.leaves = run.leaves;
+    if (merge.embedded) {
+      c.unresolved.insert(c.unresolved.end(), merge.meeting_as_floats.begin(), merge.meeting_as_floats.end());
+      result_.vertices = std::move(mesh.vertices);
+      result_.triangles = std::move(mesh.triangles);
+    } else {
       c.error_bound = std::numeric_limits<double>::infinity();
-      c.unresolved.push_back(root);
-      return;
-    }
-    result_.vertices = std::move(contour.mesh.vertices);
-    result_.triangles = std::move(contour.mesh.triangles);
-  }
-
-  void conclude(const Octree& tree, const Grid& grid) {
-    Certificate& c = result_.certificate;
-    std::size_t leaves = 0;
-    for (const Leaf* leaf : tree.leaves()) {
-      ++leaves;
-      if (!leaf->resolved) c.unresolved.push_back(box_of(grid, leaf->problem.cell));
-      if (leaf->contact) c.contacts.push_back(box_of(grid, leaf->problem.cell));
+      c.unresolved.push_back(box_of(run.grid, {{0, 0, 0}, std::uint32_t{1} << run.grid.depth, 0}));
     }
     if (!c.contacts.empty()) c.verdict = Verdict::contact;
     if (!c.unresolved.empty()) c.verdict = Verdict::unresolved;
-    statistics_.leaves = leaves;
   }
 
   const Options& options_;

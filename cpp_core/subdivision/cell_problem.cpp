@@ -8,15 +8,6 @@
 #include "subdivision/grid_line.h"
 
 namespace starcell {
-namespace {
-
-Box3 facet_box(const FacetTable& table, std::uint32_t facet) {
-  Box3 box(table.corner(facet, 0));
-  box.extend(table.corner(facet, 1)).extend(table.corner(facet, 2));
-  return box;
-}
-
-}  // namespace
 
 std::uint32_t Restriction::slot_of(const CellProblem& problem, std::uint32_t facet) const {
   const auto& solids = problem.expression.solids();
@@ -107,7 +98,7 @@ std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) cons
   for (const std::uint32_t f : parent.facets) {
     if (slots > 1)
       while (f >= table_.first[parent.expression.solids()[slot] + 1]) ++slot;
-    const Box3 box = facet_box(table_, f);
+    const Box3 box = table_.box(f);
     int low = 0, high = 0;  // bit k: the facet's box reaches the lower / upper half along axis k
     for (int k = 0; k < 3; ++k) {
       if (box.min()[k] <= middle[k]) low |= 1 << k;
@@ -181,7 +172,7 @@ int Restriction::segment_crosses_facet(std::uint32_t facet, const Vec3& p, const
 bool Restriction::clear_of(std::uint32_t facet, const Vec3& x, double margin) const {
   const Surface& s = table_.surfaces[table_.surface[facet]];
   if (std::abs(s.normal.dot(x) - s.offset) > margin + s.thickness) return true;
-  const Box3 box = facet_box(table_, facet);
+  const Box3 box = table_.box(facet);
   if (box.squaredExteriorDistance(x) > margin * margin * 1.0001) return true;
   // Near the plane, but beside the facet: beyond one of its edges by more than the margin.
   const Vec3 &a = table_.corner(facet, 0), &b = table_.corner(facet, 1), &c = table_.corner(facet, 2);

@@ -91,7 +91,7 @@ std::vector<Arc> force_face(const Restriction& restriction, const CellProblem& p
       const int axis = enter.crossing.axis;
       Vec3 bend = grid.point(face.corner(0, 0));
       bend[axis] = 0.5 * (enter.crossing.at + leave.crossing.at);
-      const double depth = std::max(8 * grid.unit, 0.25 * std::abs(enter.crossing.at - leave.crossing.at));
+      const double depth = std::max(4 * grid.margin(face.size), 0.25 * std::abs(enter.crossing.at - leave.crossing.at));
       const int across = enter.side < 2 ? face.b_axis() : face.c_axis();
       const double from = grid.coordinate(across, (enter.side < 2 ? face.b : face.c) + (enter.side % 2 ? face.size : 0));
       bend[across] = from + (enter.side % 2 ? -depth : depth);

@@ -5,6 +5,7 @@
 // (DESIGN §4). Every facet lies within `thickness` of its surface's canonical plane.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -17,12 +18,14 @@ struct Surface {
   double offset = 0;       ///< the plane is normal . x = offset
   double thickness = 0;    ///< |normal . x - offset| <= thickness on every facet of the surface
   bool shared = false;     ///< facets of several operands lie on it: a possible contact
+
+  double distance(const Vec3& p) const { return std::abs(normal.dot(p) - offset); }
 };
 
-/// A vertex of one operand that lies on another operand's facet although no facet at the vertex does: a sphere's equator in
-/// a box's side. Planes through one point or line in such numbers have no certified arrangement.
+/// A place where operands touch although no surface is shared: a vertex of one on a facet of another, or two edges that
+/// cross. More than three planes pass through such a point, and their arrangement there has no certified signs.
 struct Graze {
-  std::uint32_t of, on;   ///< operands: whose vertex, on whose facet
+  std::uint32_t of, on;   ///< operands
   Vec3 place;
 };
 
@@ -33,12 +36,15 @@ struct FacetTable {
   std::vector<std::uint32_t> surface;    ///< per facet
   std::vector<std::uint32_t> first;      ///< facets of operand s are first[s] .. first[s+1]
   std::vector<Surface> surfaces;
-  std::vector<Graze> grazes;             ///< ordered, one a vertex and operand
+  std::vector<Graze> grazes;
   double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
   double contact_moved = 0;              ///< how far surface identity moved any operand
 
   std::size_t size() const { return corners.size(); }
   std::uint32_t operand_of(std::uint32_t facet) const;
+  /// The largest distance of a facet's corners from a plane.
+  double distance(const Surface& s, std::uint32_t facet) const;
+  Box3 box(std::uint32_t facet) const;
   const Vec3& corner(std::uint32_t facet, int k) const { return points[corners[facet][k]]; }
   Vec3 area_vector(std::uint32_t facet) const {
     const Vec3& a = corner(facet, 0);
@@ -49,9 +55,5 @@ struct FacetTable {
 /// Gathers the operands' facets and finds their surfaces. Facets of different operands are on one surface when each lies
 /// within `contact` of the other's plane and their boxes come that near. `shifts`: a translation for each operand; empty: none.
 FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts = {});
-
-/// Translations, none longer than `reach`, that take operands off each other where they graze and keep every shared surface
-/// shared; all zero if nothing grazes or nothing can be done.
-std::vector<Vec3> shifts_off_grazes(const FacetTable& table, double reach);
 
 }  // namespace starcell

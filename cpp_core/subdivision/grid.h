@@ -1,9 +1,12 @@
-// The octree's coordinates: cells and grid lines are integers, and every one of them is a float32 number.
+// The octree's coordinates: cells and grid lines are integers; those of all but the smallest cells are float32 numbers.
 //
-// FreeCAD's meshes are float32. World coordinate = unit * integer with |integer| <= 2^24 and a power of two for the
-// unit, so rounding a point of a cell's face to float32 (a monotone map) cannot carry it off that face (DESIGN §3).
+// FreeCAD's meshes are float32. World coordinate = unit * integer with a power of two for the unit. Planes of cells of at
+// least `step` are multiples of it, and those are float32 numbers: rounding a point of such a cell's face to float32 (a
+// monotone map) cannot carry it off that face (DESIGN §3). Smaller cells exist because E may have slivers thinner than a
+// float32 step; what rounding does to them is tested on the finished mesh.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -15,12 +18,18 @@ using GridPoint = std::array<std::uint32_t, 3>;
 
 struct Grid {
   double unit = 1.0;
+  double step = 1.0;                     ///< multiples of it in the root box are float32 numbers; a multiple of unit
   std::array<std::int64_t, 3> origin{};  ///< lower corner of the root, in units
   int depth = 0;                         ///< the root's side is 2^depth units
 
   double coordinate(int axis, std::uint32_t index) const {
     return unit * static_cast<double>(origin[axis] + static_cast<std::int64_t>(index));
   }
+  double length(std::uint32_t size) const { return unit * static_cast<double>(size); }
+  /// Room for a point on an edge or a face of this size: two float32 steps where the size allows.
+  double margin(std::uint32_t size) const { return std::min(2 * step, length(size) / 16); }
+  /// Is the size large enough for points to be kept apart in float32 too?
+  bool holds_floats(std::uint32_t size) const { return length(size) >= 32 * step; }
   Vec3 point(const GridPoint& p) const { return {coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2])}; }
 };
 

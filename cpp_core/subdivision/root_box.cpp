@@ -7,6 +7,8 @@ namespace starcell {
 namespace {
 
 constexpr int float_bits = 24;
+// Cells may be this many levels below the root: 4e-9 of its side, fine enough for slivers between generic parts.
+constexpr int least_depth = 28;
 constexpr int candidates = 16;
 constexpr int shallow_levels = 6;
 
@@ -32,10 +34,13 @@ double float_step(const Box3& box) {
 
 Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
   Grid grid;
-  grid.unit = float_step(box);
-  const double side = 1.1 * std::max(box.sizes().maxCoeff(), 8 * grid.unit);
-  grid.depth = std::max(4, static_cast<int>(std::ceil(std::log2(side / grid.unit))));
+  grid.step = float_step(box);
+  const double side = 1.1 * std::max(box.sizes().maxCoeff(), 8 * grid.step);
+  const int float_depth = std::max(4, static_cast<int>(std::ceil(std::log2(side / grid.step))));
+  grid.depth = std::max(float_depth, least_depth);
+  grid.unit = std::ldexp(grid.step, float_depth - grid.depth);
   const double size = std::ldexp(grid.unit, grid.depth);
+  const auto units = static_cast<std::int64_t>(grid.step / grid.unit);
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> coordinates;
     const std::size_t stride = table.points.size() / 20000 + 1;
@@ -48,7 +53,7 @@ Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
     for (int k = 0; k < candidates; ++k) {
       // Irrational steps through the middle half of the slack.
       const double fraction = 0.25 + 0.5 * std::fmod(0.38196601125 + 0.61803398875 * k + 0.137 * axis + 0.0917 * attempt, 1.0);
-      grid.origin[axis] = static_cast<std::int64_t>(std::floor((box.min()[axis] - fraction * slack) / grid.unit)) | 1;
+      grid.origin[axis] = (static_cast<std::int64_t>(std::floor((box.min()[axis] - fraction * slack) / grid.step)) | 1) * units;
       const double c = clearance(grid, axis, coordinates);
       if (c > best) best = c, origin = grid.origin[axis];
     }

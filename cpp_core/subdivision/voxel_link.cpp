@@ -33,12 +33,6 @@ class UnionFind {
   std::vector<std::uint32_t> parent_;
 };
 
-Box3 facet_box(const FacetTable& table, std::uint32_t f) {
-  Box3 box(table.corner(f, 0));
-  box.extend(table.corner(f, 1)).extend(table.corner(f, 2));
-  return box;
-}
-
 // All corners of g strictly on one side of f's plane.
 bool one_side(const FacetTable& table, std::uint32_t f, std::uint32_t g) {
   const Vec3 &a = table.corner(f, 0), &b = table.corner(f, 1), &c = table.corner(f, 2);
@@ -106,7 +100,7 @@ bool groups_may_cross(const Restriction& restriction, const CellProblem& problem
   std::vector<Box3> boxes;
   std::vector<std::uint32_t> slots;
   for (const std::uint32_t f : facets) {
-    boxes.push_back(facet_box(table, f).intersection(box));
+    boxes.push_back(table.box(f).intersection(box));
     slots.push_back(restriction.slot_of(problem, f));
   }
   std::size_t pairs = 0;

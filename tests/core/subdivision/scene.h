@@ -16,7 +16,7 @@ namespace starcell::sample {
 /// The solids' expression in a root cell [0, 2^depth]^3.
 struct Scene {
   Scene(const std::vector<Mesh>& meshes, LocalExpression::Op op, int depth = 5)
-      : table(gather_facets(solids(meshes), 1e-9)), grid{1.0, {0, 0, 0}, depth}, restriction(table, grid) {
+      : table(gather_facets(solids(meshes), 1e-9)), grid{.unit = 1.0, .step = 1.0, .origin = {0, 0, 0}, .depth = depth}, restriction(table, grid) {
     std::vector<LocalExpression::Step> program;
     std::vector<std::uint32_t> names;
     for (std::uint32_t s = 0; s < meshes.size(); ++s) {
