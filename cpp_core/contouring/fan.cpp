@@ -56,15 +56,38 @@ class FanMaker {
 
   double scale() const { return std::max(cell_.min().cwiseAbs().maxCoeff(), cell_.max().cwiseAbs().maxCoeff()); }
 
-  // The two bends where the loop changes planes span the common line.
+  // Any point of the common line in the cell serves: the middle of the line's part there.
   Fan crease() {
+    if (sheet_.contact) return pulled_crease();
+    const Surface &s = table_.surfaces[sheet_.surfaces[0]], &t = table_.surfaces[sheet_.surfaces[1]];
+    const Vec3 along = s.normal.cross(t.normal);
+    const double length = along.squaredNorm();
+    if (!(length > 0)) return anything();
+    // The line's point nearest to the centroid.
+    const double hs = s.offset - s.normal.dot(centroid_), ht = t.offset - t.normal.dot(centroid_);
+    const Vec3 foot = centroid_ + (hs * t.normal.cross(along) + ht * along.cross(s.normal)) / length;
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for (int k = 0; k < 3; ++k) {
+      const double a = (cell_.min()[k] - foot[k]) / along[k], b = (cell_.max()[k] - foot[k]) / along[k];
+      if (along[k] == 0) continue;
+      low = std::max(low, std::min(a, b));
+      high = std::min(high, std::max(a, b));
+    }
+    if (!(low < high)) return anything();
+    const Vec3 tip = foot + 0.5 * (low + high) * along;
+    const double off = std::max(s.distance(tip) - s.thickness, t.distance(tip) - t.thickness);
+    if (!(off <= 1e-12 * scale())) return anything();
+    return cone(tip);
+  }
+
+  // Sheets that touch along their creases: the two bends where the loop changes planes were pulled off the common line.
+  Fan pulled_crease() {
     std::vector<Vec3> ends;
-    const std::size_t n = loop_.vertices.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      const Vec3& p = vertices_[loop_.vertices[k]];
+    for (const std::uint32_t v : loop_.vertices) {
+      const Vec3& p = vertices_[v];
       if (std::all_of(sheet_.surfaces.begin(), sheet_.surfaces.end(), [&](std::uint32_t id) {
             const Surface& s = table_.surfaces[id];
-            return std::abs(s.normal.dot(p) - s.offset) <= (sheet_.contact ? 2 * pull_ : 1e-12 * scale()) + s.thickness;
+            return s.distance(p) <= 2 * pull_ + s.thickness;
           }))
         ends.push_back(p);
     }

@@ -76,7 +76,7 @@ void add_statistics(const Statistics& s, Certificate& c) {
   };
   put("cells", s.cells), put("leaves", s.leaves), put("max_depth", s.max_depth);
   put("faces.link", s.face_link), put("faces.planes", s.face_planes), put("faces.split", s.face_split);
-  put("faces.star", s.face_star), put("voxels.link", s.voxel_link), put("voxels.cone", s.voxel_cone);
+  put("faces.cone", s.face_cone), put("voxels.link", s.voxel_link), put("voxels.cone", s.voxel_cone);
   put("voxels.planes", s.voxel_planes), put("voxels.star", s.voxel_star), put("voxels.complex_cell", s.voxel_complex);
   put("guard_tests.witness", s.guard_witness), put("guard_tests.linear_program", s.guard_program);
   put("guard_tests.failed", s.guard_failed);

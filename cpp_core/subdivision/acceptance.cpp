@@ -9,6 +9,7 @@
 #include "subdivision/face_force.h"
 #include "subdivision/face_trace.h"
 #include "subdivision/grid_line.h"
+#include "subdivision/loops.h"
 #include "subdivision/sheet_shape.h"
 #include "subdivision/voxel_link.h"
 #include "subdivision/voxel_planes.h"
@@ -153,13 +154,39 @@ bool Acceptance::trace_faces(const CellProblem& problem, Leaf& leaf) const {
     auto arcs = trace_face(restriction_, problem, problem.facets, face_of(problem.cell, side), settings_.pull, statistics_);
     if (!arcs) return false;
     leaf.arcs[side] = std::move(*arcs);
+    for (const Arc& arc : leaf.arcs[side]) leaf.contact = leaf.contact || arc.concurrent;
   }
+  return true;
+}
+
+// V-cone where solids touch: if every plane passes through one point of the cell, so that membership is constant along rays
+// from it, then E∩C is the cone over its trace. That takes planes as concurrent that are so only to within their thickness
+// and rounding: an input moved by that much, hence a contact.
+bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  const FacetTable& table = restriction_.table();
+  const auto cone = concurrent_sheet(restriction_, box, surfaces_of(table, problem.facets), vertices_inside(table, problem.facets, box));
+  if (!cone || cone->shape != Sheet::Shape::corner || !trace_faces(problem, leaf)) return false;
+  const auto loops = leaf_loops(leaf);
+  if (!loops) return false;
+  leaf.contact = true;
+  for (const Loop& loop : *loops) {
+    Sheet sheet;
+    sheet.shape = Sheet::Shape::corner;
+    sheet.apex = cone->apex;
+    sheet.contact = loops->size() > 1;
+    for (const LoopArc& a : loop) sheet.surfaces.insert(sheet.surfaces.end(), a.arc->surfaces.begin(), a.arc->surfaces.end());
+    std::sort(sheet.surfaces.begin(), sheet.surfaces.end());
+    sheet.surfaces.erase(std::unique(sheet.surfaces.begin(), sheet.surfaces.end()), sheet.surfaces.end());
+    sheet.crossings = crossings_of(loop);
+    leaf.sheets.push_back(std::move(sheet));
+  }
+  count(statistics_.voxel_cone);
   return true;
 }
 
 bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   const auto sheets = plane_sheets(restriction_, problem);
-  if (!sheets) return accept_star(problem, box, leaf);
+  if (!sheets) return accept_cone(problem, box, leaf) || accept_star(problem, box, leaf = Leaf());
   for (const PlaneSheet& plane_sheet : *sheets) {
     auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
     if (!sheet) {

@@ -1,7 +1,7 @@
 // Is a cell good enough to be a leaf? The trace theorem's clauses and the error criterion, cheapest first.
 //
 // Rests on DESIGN §3. A leaf is accepted when every face has a certified trace (face_trace.h) and E∩C is certified to be
-// disjoint disks: V-link and V-cone where solids do not cross, V-planes or V-star where they do; and when each disk's
+// disjoint disks: V-link and V-cone where solids do not cross, V-planes, V-cone or V-star where they do; and when each disk's
 // shape bounds the distance to the fan that will replace it (sheet_shape.h).
 // Guarantees: an accepted leaf satisfies (E), (F) and (V) of the trace theorem. A refusal proves nothing.
 #pragma once
@@ -36,6 +36,7 @@ class Acceptance {
   bool hopeless(const CellProblem& problem, const Box3& box) const;
   bool accept_linked(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool trace_faces(const CellProblem& problem, Leaf& leaf) const;

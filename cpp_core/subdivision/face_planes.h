@@ -10,18 +10,10 @@
 
 #include <optional>
 
-#include "subdivision/face_pieces.h"
+#include "subdivision/face_lines.h"
 
 namespace starcell {
 
-struct FacePlanesInput {
-  const Restriction& restriction;
-  const CellProblem& problem;
-  const Face& face;
-  const std::vector<Piece>& pieces;
-  double pull;   ///< how far the sheets of an edge contact are pulled apart
-};
-
-std::optional<std::vector<Arc>> arrange_pieces(const FacePlanesInput& input);
+std::optional<std::vector<Arc>> arrange_pieces(const FaceProblem& input);
 
 }  // namespace starcell

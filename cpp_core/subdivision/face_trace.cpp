@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "subdivision/face_cone.h"
 #include "subdivision/face_link.h"
 #include "subdivision/face_planes.h"
 
@@ -25,6 +26,10 @@ class FaceTracer {
     if (line_count(pieces) <= max_lines) {
       if (auto arcs = arrange_pieces({restriction_, problem_, face, pieces, pull_})) {
         count(statistics_.face_planes);
+        return arcs;
+      }
+      if (auto arcs = cone_pieces({restriction_, problem_, face, pieces, pull_})) {
+        count(statistics_.face_cone);
         return arcs;
       }
     }
@@ -94,6 +99,7 @@ class FaceTracer {
         arc.surfaces.insert(arc.surfaces.end(), tail.surfaces.begin() + 1, tail.surfaces.end());
         arc.end = tail.end;
         arc.contact = arc.contact || tail.contact;
+        arc.concurrent = arc.concurrent || tail.concurrent;
       }
       arcs.push_back(std::move(arc));
     }

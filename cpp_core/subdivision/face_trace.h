@@ -1,7 +1,8 @@
 // The trace of E on one face of a cell: which test applies, and F-split where none does.
 //
-// Rests on DESIGN §3: F-link where one solid reaches the face, F-planes where several do, and otherwise F-split: the
-// face alone is quartered and the squares' arcs are joined (as T§5.6.3 refines faces for connectors).
+// Rests on DESIGN §3: F-link where one solid reaches the face, F-planes where several do, F-cone where their lines are
+// concurrent, and otherwise F-split: the face alone is quartered and the squares' arcs are joined (as T§5.6.3 refines
+// faces for connectors).
 #pragma once
 
 #include <optional>

@@ -37,4 +37,22 @@ std::optional<std::vector<Loop>> form_loops(const std::vector<LoopArc>& arcs) {
   return loops;
 }
 
+std::optional<std::vector<Loop>> leaf_loops(const Leaf& leaf) {
+  std::vector<LoopArc> arcs;
+  for (int side = 0; side < 6; ++side)
+    for (const Arc& arc : leaf.arcs[side]) arcs.push_back({&arc, side, side % 2 == 0});
+  return form_loops(arcs);
+}
+
+std::vector<Crossing> crossings_of(const Loop& loop) {
+  std::vector<Crossing> crossings;
+  for (const LoopArc& a : loop) {
+    crossings.push_back(a.arc->start);
+    crossings.push_back(a.arc->end);
+  }
+  std::sort(crossings.begin(), crossings.end());
+  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  return crossings;
+}
+
 }  // namespace starcell

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "subdivision/trace.h"
+#include "subdivision/leaf.h"
 
 namespace starcell {
 
@@ -19,5 +19,11 @@ using Loop = std::vector<LoopArc>;
 
 /// None if the arcs do not close up: they were traced on inconsistent faces.
 std::optional<std::vector<Loop>> form_loops(const std::vector<LoopArc>& arcs);
+
+/// The loops of a leaf's own arcs.
+std::optional<std::vector<Loop>> leaf_loops(const Leaf& leaf);
+
+/// The crossings that a loop passes, ascending.
+std::vector<Crossing> crossings_of(const Loop& loop);
 
 }  // namespace starcell

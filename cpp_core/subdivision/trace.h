@@ -67,7 +67,8 @@ struct Arc {
   std::vector<Vec3> bends;
   std::vector<std::uint32_t> surfaces;   ///< bends.size() + 1
   std::uint32_t facet = 0;               ///< a facet under the first piece
-  bool contact = false;                  ///< a contact was resolved on this arc (DESIGN §4)
+  bool contact = false;                  ///< sheets that touch were pulled apart on this arc (DESIGN §4)
+  bool concurrent = false;               ///< rests on planes taken to pass through one point: F-cone
 };
 
 /// E on one face: certified to be exactly these disjoint arcs, and no closed curve.

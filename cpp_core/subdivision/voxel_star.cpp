@@ -49,26 +49,18 @@ std::optional<Vec3> star_direction(const Restriction& restriction, const CellPro
 }
 
 std::optional<std::vector<std::vector<Crossing>>> star_loops(const Leaf& leaf, const Vec3& direction) {
-  std::vector<LoopArc> arcs;
-  for (int side = 0; side < 6; ++side)
-    for (const Arc& arc : leaf.arcs[side]) arcs.push_back({&arc, side, side % 2 == 0});
-  const auto loops = form_loops(arcs);
+  const auto loops = leaf_loops(leaf);
   if (!loops) return std::nullopt;
   std::vector<std::vector<Crossing>> result;
   for (const Loop& loop : *loops) {
     bool faces_u = false, faces_away = false;
-    std::vector<Crossing> crossings;
     for (const LoopArc& a : loop) {
       const double towards = direction[a.side / 2] * (a.side % 2 ? 1 : -1);
       faces_u = faces_u || towards > 0;
       faces_away = faces_away || towards < 0;
-      crossings.push_back(a.arc->start);
-      crossings.push_back(a.arc->end);
     }
     if (loops->size() > 1 && !(faces_u && faces_away)) return std::nullopt;
-    std::sort(crossings.begin(), crossings.end());
-    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
-    result.push_back(std::move(crossings));
+    result.push_back(crossings_of(loop));
   }
   return result;
 }
