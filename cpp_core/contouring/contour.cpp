@@ -125,8 +125,10 @@ class Contourer {
     const double margin = restriction_.grid().margin(cell.size);
     std::vector<std::pair<std::size_t, std::size_t>> fans;
     bool good = true;
-    for (const Loop& loop : *loops) {
-      const Sheet* sheet = sheet_of(leaf, loop);
+    const std::vector<const Sheet*> sheets = sheets_of(leaf, *loops);
+    for (std::size_t k = 0; k < loops->size(); ++k) {
+      const Loop& loop = (*loops)[k];
+      const Sheet* sheet = sheets[k];
       good = good && (sheet || !leaf.resolved);
       const DrawnLoop drawn = drawn_loop(loop, faces);
       const Fan fan = make_fan(restriction_.table(), box, sheet ? *sheet : Sheet(), drawn, result_.mesh.vertices, margin,
@@ -145,14 +147,21 @@ class Contourer {
     if (!good) result_.failed.push_back(cell);
   }
 
-  static const Sheet* sheet_of(const Leaf& leaf, const Loop& loop) {
-    if (leaf.sheets.size() == 1) return &leaf.sheets.front();
-    for (const Sheet& sheet : leaf.sheets)
-      for (const LoopArc& a : loop)
-        if (std::binary_search(sheet.crossings.begin(), sheet.crossings.end(), a.arc->start) ||
-            std::binary_search(sheet.crossings.begin(), sheet.crossings.end(), a.arc->end))
-          return &sheet;
-    return nullptr;
+  // A loop's sheet shares crossings with it; the last loop without any has the last sheet. Null: not known.
+  static std::vector<const Sheet*> sheets_of(const Leaf& leaf, const std::vector<Loop>& loops) {
+    std::vector<const Sheet*> found(loops.size(), nullptr);
+    std::vector<char> taken(leaf.sheets.size(), 0);
+    for (std::size_t k = 0; k < loops.size(); ++k)
+      for (std::size_t s = 0; s < leaf.sheets.size() && !found[k]; ++s)
+        if (share_crossing(leaf.sheets[s], loops[k])) found[k] = &leaf.sheets[s], taken[s] = 1;
+    if (std::count(found.begin(), found.end(), nullptr) == 1 && std::count(taken.begin(), taken.end(), 0) == 1)
+      *std::find(found.begin(), found.end(), nullptr) = &leaf.sheets[std::find(taken.begin(), taken.end(), 0) - taken.begin()];
+    return found;
+  }
+
+  static bool share_crossing(const Sheet& sheet, const Loop& loop) {
+    const auto has = [&](const Crossing& x) { return std::binary_search(sheet.crossings.begin(), sheet.crossings.end(), x); };
+    return std::any_of(loop.begin(), loop.end(), [&](const LoopArc& a) { return !a.arc->closed && (has(a.arc->start) || has(a.arc->end)); });
   }
 
   const TracedArc& traced(const LoopArc& a, const std::vector<MinimalFace>* faces) const {

@@ -63,6 +63,7 @@ bool segments_fold(const Vec2& common, const Vec2& a, const Vec2& b) {
 }  // namespace
 
 void TracePoints::announce(const Arc& arc) {
+  if (arc.closed) return;
   crossings_.push_back(arc.start);
   crossings_.push_back(arc.end);
 }
@@ -163,15 +164,71 @@ void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<s
   drawn.gap += moved;
 }
 
+// A closed curve keeps all its bends, unless float32 could not: then a triangle around its middle stands for it, wide enough
+// that nothing that is moved less than the margin can have passed over that middle.
+bool TracePoints::draw_closed(const Face& face, const Arc& arc, TracedArc& drawn) {
+  const Grid& grid = restriction_.grid();
+  const int b = face.b_axis(), c = face.c_axis();
+  const double margin = grid.margin(face.size);
+  const Vec3 low = grid.point(face.corner(0, 0)), high = grid.point(face.corner(1, 1));
+  Box3 box;
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : arc.bends) box.extend(p), middle += p / static_cast<double>(arc.bends.size());
+  const double extent = box.sizes().maxCoeff();
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  if (extent >= 8 * margin) {
+    for (const Vec3& bend : arc.bends) {
+      Vec3 p = bend;
+      for (const int axis : {b, c}) p[axis] = std::clamp(p[axis], low[axis] + margin, high[axis] - margin);
+      drawn.gap = std::max(drawn.gap, (p - bend).norm());
+      vertices_.push_back(p);
+    }
+    drawn.surfaces = arc.surfaces;
+  } else {
+    double area = 0;
+    for (std::size_t k = 0; k < arc.bends.size(); ++k) {
+      const Vec3 p = arc.bends[k] - middle, q = arc.bends[(k + 1) % arc.bends.size()] - middle;
+      area += p[b] * q[c] - p[c] * q[b];
+    }
+    // So small that rounding of its bends could have turned it around: its cells are split.
+    if (extent < 1e-11 * box.max().cwiseAbs().maxCoeff() || std::abs(area) < 1e-6 * extent * extent) return false;
+    const double radius = 4 * margin;
+    for (const int axis : {b, c})
+      middle[axis] = std::clamp(middle[axis], low[axis] + radius + margin, high[axis] - radius - margin);
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2 * 3.141592653589793 / 3 * (area > 0 ? k : -k) + 0.4;
+      Vec3 p = middle;
+      p[b] += radius * std::cos(angle);
+      p[c] += radius * std::sin(angle);
+      vertices_.push_back(p);
+    }
+    drawn.gap = 2 * (extent + radius + margin);
+    drawn.surfaces.assign(3, no_surface);
+  }
+  for (auto v = first; v < vertices_.size(); ++v) drawn.vertices.push_back(v);
+  drawn.vertices.push_back(first);
+  if (drawn.gap > 1e-12 * std::max(box.max().cwiseAbs().maxCoeff(), grid.unit))
+    std::fill(drawn.surfaces.begin(), drawn.surfaces.end(), no_surface);
+  return true;
+}
+
 bool TracePoints::draw(const Face& face, const std::vector<const Arc*>& arcs, double tolerance,
                        std::vector<TracedArc>& drawn) {
   const std::size_t vertices_before = vertices_.size();
+  // Beside a closed curve nothing may be moved far: it could come to lie on the other side of an arc.
+  const bool any_closed = std::any_of(arcs.begin(), arcs.end(), [](const Arc* a) { return a->closed; });
+  if (any_closed) tolerance = 0;
   // With all bends that matter; if those do not keep apart after rounding, with as few as possible.
   for (const bool coarse : {false, true}) {
+    if (coarse && any_closed) return false;
     drawn.assign(arcs.size(), TracedArc{});
     vertices_.resize(vertices_before);
     for (std::size_t a = 0; a < arcs.size(); ++a) {
       const Arc& arc = *arcs[a];
+      if (arc.closed) {
+        if (!draw_closed(face, arc, drawn[a])) return false;
+        continue;
+      }
       std::vector<Vec3> points{vertices_[vertex_of(arc.start)]};
       points.insert(points.end(), arc.bends.begin(), arc.bends.end());
       points.push_back(vertices_[vertex_of(arc.end)]);
@@ -216,6 +273,8 @@ bool TracePoints::disjoint(const Face& face, const std::vector<TracedArc>& arcs,
       const Segment &x = segments[s], &y = segments[t];
       if (x.arc == y.arc && y.index == x.index + 1) {
         if (segments_fold(x.q, x.p, y.q)) return false;
+      } else if (x.arc == y.arc && x.index == 0 && y.index + 2 == arcs[x.arc].vertices.size() && arcs[x.arc].closed()) {
+        if (segments_fold(x.p, x.q, y.p)) return false;
       } else if (segments_meet(x.p, x.q, y.p, y.q)) {
         return false;
       }

@@ -13,11 +13,13 @@
 
 namespace starcell {
 
-/// An arc as A has it: vertex ids from start to end.
+/// An arc as A has it: vertex ids from start to end, of a closed curve back to the start.
 struct TracedArc {
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> surfaces;   ///< per segment; no_surface where the segment left its plane
   double gap = 0;                        ///< Fréchet distance to E's arc, moves included
+
+  bool closed() const { return vertices.front() == vertices.back(); }
 };
 
 class TracePoints {
@@ -34,6 +36,7 @@ class TracePoints {
  private:
   std::uint32_t vertex_of(const Crossing& x) const;
   bool disjoint(const Face& face, const std::vector<TracedArc>& arcs, bool rounded) const;
+  bool draw_closed(const Face& face, const Arc& arc, TracedArc& drawn);
   void draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedArc& drawn);
 
   const Restriction& restriction_;

@@ -50,6 +50,14 @@ bool is_feature(const FacetTable& table, const std::vector<std::uint32_t>& surfa
   return false;
 }
 
+// More than three planes, or three with a line in common: concurrent by intent. Three in general position always are, and
+// V-planes has to find the cell in which they can be told apart.
+bool degenerate(const FacetTable& table, const std::vector<std::uint32_t>& surfaces) {
+  if (surfaces.size() != 3) return true;
+  const Vec3 &a = table.surfaces[surfaces[0]].normal, &b = table.surfaces[surfaces[1]].normal, &c = table.surfaces[surfaces[2]].normal;
+  return std::abs(a.dot(b.cross(c))) < 1e-9;
+}
+
 // Facets above which a quick look decides whether the full tests can succeed.
 constexpr std::size_t many_facets = 32;
 // The linear program's cost grows with its rows: beyond this a cell is cheaper to split.
@@ -134,8 +142,10 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
       auto arcs = link_pieces(restriction_, face, pieces, groups[g].flip);
       if (!arcs) return false;
       for (Arc& arc : *arcs) {
-        leaf.sheets[g].crossings.push_back(arc.start);
-        leaf.sheets[g].crossings.push_back(arc.end);
+        if (!arc.closed) {
+          leaf.sheets[g].crossings.push_back(arc.start);
+          leaf.sheets[g].crossings.push_back(arc.end);
+        }
         leaf.arcs[side].push_back(std::move(arc));
       }
       count(statistics_.face_link);
@@ -165,7 +175,7 @@ bool Acceptance::trace_faces(const CellProblem& problem, Leaf& leaf) const {
 bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   const FacetTable& table = restriction_.table();
   const auto cone = concurrent_sheet(restriction_, box, surfaces_of(table, problem.facets), vertices_inside(table, problem.facets, box));
-  if (!cone || cone->shape != Sheet::Shape::corner || !trace_faces(problem, leaf)) return false;
+  if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, leaf)) return false;
   const auto loops = leaf_loops(leaf);
   if (!loops) return false;
   leaf.contact = true;

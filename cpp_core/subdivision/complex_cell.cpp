@@ -76,6 +76,8 @@ bool satisfies_complex_cell(const Restriction& restriction, const CellProblem& p
     if (arcs.empty()) continue;
     if (s00 == s10 && s10 == s11 && s11 == s01) return false;
     for (const Arc& arc : arcs)
+      if (arc.closed) return false;
+    for (const Arc& arc : arcs)
       for (const Crossing* x : {&arc.start, &arc.end}) ++crossings[{x->axis, x->i, x->j}];
     std::vector<std::uint32_t> here;
     for (const OrientedFacet& f : *facets) here.push_back(f.facet);

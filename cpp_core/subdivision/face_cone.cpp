@@ -71,7 +71,7 @@ Vec2d bisector(const Vec2d& u, const Vec2d& v) {
 
 std::optional<std::vector<Arc>> cone_pieces(const FaceProblem& in) {
   auto face = face_lines(in);
-  if (!face || face->lines.size() < 2) return std::nullopt;
+  if (!face || face->lines.size() < 3) return std::nullopt;  // two lines always cross: F-planes
   const auto x = common_point(in, *face);
   if (!x) return std::nullopt;
   for (FaceLine& line : face->lines) line.others.assign(1, -1);  // two rays each

@@ -10,7 +10,7 @@
 
 namespace starcell {
 
-/// The arcs that the pieces form; none if some of them close up inside the face, or a surface meets an edge twice.
+/// The arcs and closed curves that the pieces form; none if they do not fit together.
 /// `flip`: the expression is the complement of the solid here, so the solid side changes.
 std::optional<std::vector<Arc>> link_pieces(const Restriction& restriction, const Face& face,
                                             const std::vector<Piece>& pieces, bool flip);

@@ -140,28 +140,42 @@ class Arrangement {
   int far_vertex(const Step& s) const { return sense(s) > 0 ? s.segment : s.segment - 1; }
 
   std::optional<std::vector<Arc>> chain() {
-    std::size_t total = 0, used = 0;
-    for (const auto& next : next_)
-      total += static_cast<std::size_t>(std::count_if(next.begin(), next.end(), [](int d) { return d != 0; }));
+    seen_.resize(lines_.size());
+    for (std::size_t i = 0; i < lines_.size(); ++i) seen_[i].assign(next_[i].size(), 0);
     std::vector<Arc> arcs;
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
       for (const bool end : {false, true}) {
-        Step step{i, end ? static_cast<int>(lines_[i].others.size()) : 0};
-        if (sense(step) != (end ? -1 : 1)) continue;
-        Arc arc;
-        arc.start = face_.crossing(in_, i, !end);
-        arc.surfaces.push_back(lines_[i].surface);
-        arc.facet = facet_on(in_, lines_[i].surface);
-        ++used;
-        while (!leaves_through_side(step)) {
-          if (!advance(step, arc) || ++used > total) return std::nullopt;
-        }
-        arc.end = face_.crossing(in_, step.line, sense(step) < 0);
-        arcs.push_back(std::move(arc));
+        const Step step{i, end ? static_cast<int>(lines_[i].others.size()) : 0};
+        if (sense(step) == (end ? -1 : 1) && !follow(step, false, arcs)) return std::nullopt;
       }
-    }
-    if (used != total) return std::nullopt;  // a closed curve inside the face
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+      for (int s = 0; s < static_cast<int>(next_[i].size()); ++s)
+        if (next_[i][s] != 0 && !seen_[i][s] && !follow({i, s}, true, arcs)) return std::nullopt;
     return arcs;
+  }
+
+  // From a step to the rim, or around and back to the step.
+  bool follow(const Step& first, bool closed, std::vector<Arc>& arcs) {
+    Arc arc;
+    if (!closed) arc.start = face_.crossing(in_, first.line, sense(first) > 0);
+    arc.surfaces.push_back(lines_[first.line].surface);
+    arc.facet = facet_on(in_, lines_[first.line].surface);
+    Step step = first;
+    seen_[step.line][step.segment] = 1;
+    while (!leaves_through_side(step)) {
+      if (!advance(step, arc)) return false;
+      char& seen = seen_[step.line][step.segment];
+      if (seen) {
+        if (!closed || step.line != first.line || step.segment != first.segment || !close(arc)) return false;
+        arcs.push_back(std::move(arc));
+        return true;
+      }
+      seen = 1;
+    }
+    if (closed) return false;
+    arc.end = face_.crossing(in_, step.line, sense(step) < 0);
+    arcs.push_back(std::move(arc));
+    return true;
   }
 
   // One vertex on: straight ahead, around a corner, or, where two sheets cross, around the inside on the right.
@@ -214,6 +228,7 @@ class Arrangement {
   FaceLines face_;
   std::vector<FaceLine>& lines_ = face_.lines;
   std::vector<std::vector<int>> next_;   // per sub-segment, +1: E runs start -> end, -1: back, 0: not E
+  std::vector<std::vector<char>> seen_;
   std::vector<Vec2i> points_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace starcell {
 
-/// Arcs of E on the face, or none: "don't know", or E has a closed curve there. `facets` ascending, of the problem.
+/// Arcs and closed curves of E on the face, or none: "don't know". `facets` ascending, of the problem.
 std::optional<std::vector<Arc>> trace_face(const Restriction& restriction, const CellProblem& problem,
                                            const std::vector<std::uint32_t>& facets, const Face& face, double pull,
                                            Statistics& statistics);

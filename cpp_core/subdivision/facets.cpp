@@ -10,10 +10,10 @@
 namespace starcell {
 namespace {
 
-// Facets of one operand are one surface when they are coplanar to within this share of the coordinates: far above double
-// rounding, far below float32's. Their true planes stay inside the surface's measured thickness, which every certified
+// Facets of one operand are one surface when they are coplanar to within this share of the coordinates: above double
+// rounding, far below what any file format rounds to. Their true planes stay inside the surface's measured thickness, which every certified
 // sign takes into account; planes that meet at a smaller angle would have a common line too uncertain to decide by.
-constexpr double rounding_scale = 1e-9;
+constexpr double rounding_scale = 1e-12;
 
 double magnitude(const std::vector<Vec3>& points) {
   double m = 0;

@@ -11,8 +11,9 @@ const Crossing& tail(const LoopArc& a) { return a.reversed ? a.arc->start : a.ar
 }  // namespace
 
 std::optional<std::vector<Loop>> form_loops(const std::vector<LoopArc>& arcs) {
-  std::vector<std::size_t> by_head(arcs.size());
-  for (std::size_t i = 0; i < arcs.size(); ++i) by_head[i] = i;
+  std::vector<std::size_t> by_head;
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+    if (!arcs[i].arc->closed) by_head.push_back(i);
   std::sort(by_head.begin(), by_head.end(),
             [&](std::size_t x, std::size_t y) { return head(arcs[x]) < head(arcs[y]); });
   for (std::size_t i = 1; i < by_head.size(); ++i)
@@ -21,6 +22,10 @@ std::optional<std::vector<Loop>> form_loops(const std::vector<LoopArc>& arcs) {
   std::vector<Loop> loops;
   for (std::size_t first = 0; first < arcs.size(); ++first) {
     if (used[first]) continue;
+    if (arcs[first].arc->closed) {
+      loops.push_back({arcs[first]});
+      continue;
+    }
     Loop loop;
     std::size_t at = first;
     while (!used[at]) {
@@ -47,6 +52,7 @@ std::optional<std::vector<Loop>> leaf_loops(const Leaf& leaf) {
 std::vector<Crossing> crossings_of(const Loop& loop) {
   std::vector<Crossing> crossings;
   for (const LoopArc& a : loop) {
+    if (a.arc->closed) continue;
     crossings.push_back(a.arc->start);
     crossings.push_back(a.arc->end);
   }

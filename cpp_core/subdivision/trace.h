@@ -1,5 +1,7 @@
 // What the trace theorem (DESIGN §3) needs to know of E on the boundary of a cell: crossings of grid edges, and the arcs
-// that pair them on the faces.
+// that pair them on the faces. A face may also carry closed curves (the tip of a corner that reaches through it): a disk
+// that one of them bounds is as unique as any other, so the theorem holds with them, as long as A's curves lie between the
+// same arcs as E's.
 //
 // Notation: E the true surface, f a face, e an edge. On a face with normal axis a, b = a+1 and c = a+2 (cyclic) are its
 // own axes; seen from +a, b points right and c up. Arcs are directed so that the solid lies on their right, seen from +a.
@@ -61,20 +63,24 @@ inline Face face_of(const Cell& cell, int side) {
 }
 
 
-/// One arc of E on a face, from crossing to crossing: surfaces[k] carries the piece between bend k-1 and bend k.
+/// One arc of E on a face, from crossing to crossing: surfaces[k] carries the piece between bend k-1 and bend k. Or a closed
+/// curve, without crossings: surfaces[k] carries the piece from bend k to the next.
 struct Arc {
   Crossing start, end;
   std::vector<Vec3> bends;
-  std::vector<std::uint32_t> surfaces;   ///< bends.size() + 1
+  std::vector<std::uint32_t> surfaces;   ///< bends.size() + 1; of a closed curve bends.size()
+  bool closed = false;
   std::uint32_t facet = 0;               ///< a facet under the first piece
   bool contact = false;                  ///< sheets that touch were pulled apart on this arc (DESIGN §4)
   bool concurrent = false;               ///< rests on planes taken to pass through one point: F-cone
 };
 
-/// E on one face: certified to be exactly these disjoint arcs, and no closed curve.
-struct FaceTrace {
-  Face face;
-  std::vector<Arc> arcs;
-};
+/// Takes an arc that came back to its start on the same piece for the closed curve that it is; false if it is none.
+inline bool close(Arc& arc) {
+  if (arc.bends.size() < 3) return false;
+  arc.closed = true;
+  arc.surfaces.erase(arc.surfaces.begin());
+  return true;
+}
 
 }  // namespace starcell
