@@ -5,7 +5,7 @@
 #include <map>
 
 #include "contouring/embedding.h"
-#include "contouring/fan.h"
+#include "contouring/polygon_sheet.h"
 #include "contouring/trace_points.h"
 #include "subdivision/loops.h"
 
@@ -21,7 +21,8 @@ struct MinimalFace {
 
 bool has_cone(const Leaf& leaf) {
   return std::any_of(leaf.sheets.begin(), leaf.sheets.end(), [](const Sheet& sheet) {
-    return sheet.shape == Sheet::Shape::planar || sheet.shape == Sheet::Shape::crease || sheet.shape == Sheet::Shape::corner;
+    return sheet.shape == Sheet::Shape::planar || sheet.shape == Sheet::Shape::crease || sheet.shape == Sheet::Shape::corner ||
+           sheet.shape == Sheet::Shape::polygons;
   });
 }
 
@@ -121,8 +122,6 @@ class Contourer {
       result_.failed.push_back(cell);
       return;
     }
-    const Box3 box = box_of(restriction_.grid(), cell);
-    const double margin = restriction_.grid().margin(cell.size);
     std::vector<std::pair<std::size_t, std::size_t>> fans;
     bool good = true;
     const std::vector<const Sheet*> sheets = sheets_of(leaf, *loops);
@@ -130,13 +129,8 @@ class Contourer {
       const Loop& loop = (*loops)[k];
       const Sheet* sheet = sheets[k];
       good = good && (sheet || !leaf.resolved);
-      const DrawnLoop drawn = drawn_loop(loop, faces);
-      const Fan fan = make_fan(restriction_.table(), box, sheet ? *sheet : Sheet(), drawn, result_.mesh.vertices, margin,
-                               settings_.pull);
-      if (fan.bound > settings_.error) good = false;
-      result_.bound = std::max(result_.bound, fan.bound);
       const std::size_t first = result_.mesh.triangles.size();
-      emit(drawn, fan);
+      good = replace(leaf, sheet ? *sheet : Sheet(), drawn_loop(cell, loop, faces)) && good;
       fans.emplace_back(first, result_.mesh.triangles.size() - first);
     }
     const Triangle* triangles = result_.mesh.triangles.data();
@@ -145,6 +139,27 @@ class Contourer {
         good = !fans_meet(result_.mesh.vertices, triangles + fans[a].first, fans[a].second, triangles + fans[b].first,
                           fans[b].second, restriction_.grid().holds_floats(cell.size));
     if (!good) result_.failed.push_back(cell);
+  }
+
+  // Appends what stands for one sheet; false if it does not serve.
+  bool replace(const Leaf& leaf, const Sheet& sheet, const DrawnLoop& loop) {
+    const Grid& grid = restriction_.grid();
+    const Cell& cell = leaf.problem.cell;
+    const Box3 box = box_of(grid, cell);
+    if (sheet.shape == Sheet::Shape::polygons) {
+      const std::size_t first = result_.mesh.triangles.size();
+      const auto made = emit_polygons(box, sheet, loop, grid.margin(cell.size), result_.mesh);
+      if (made) {
+        result_.bound = std::max(result_.bound, made->bound);
+        return made->bound <= settings_.error &&
+               !sheet_folds(result_.mesh.vertices, result_.mesh.triangles.data() + first, result_.mesh.triangles.size() - first,
+                            grid.holds_floats(cell.size));
+      }
+    }
+    const Fan fan = make_fan(restriction_.table(), box, sheet, loop, result_.mesh.vertices, grid.margin(cell.size), settings_.pull);
+    result_.bound = std::max(result_.bound, fan.bound);
+    emit(loop, fan);
+    return fan.bound <= settings_.error;
   }
 
   // A loop's sheet shares crossings with it; the last loop without any has the last sheet. Null: not known.
@@ -171,7 +186,7 @@ class Contourer {
     return drawn_.front();
   }
 
-  DrawnLoop drawn_loop(const Loop& loop, const std::vector<MinimalFace>* faces) const {
+  DrawnLoop drawn_loop(const Cell& cell, const Loop& loop, const std::vector<MinimalFace>* faces) const {
     DrawnLoop result;
     for (const LoopArc& a : loop) {
       const TracedArc& arc = traced(a, faces);
@@ -179,10 +194,35 @@ class Contourer {
       for (std::size_t k = 0; k < n; ++k) {
         result.vertices.push_back(arc.vertices[a.reversed ? n - k : k]);
         result.surfaces.push_back(arc.surfaces[a.reversed ? n - 1 - k : k]);
+        result.names.push_back(name_of(cell, a, n, a.reversed ? n - k : k));
       }
       result.gap = std::max(result.gap, arc.gap);
     }
     return result;
+  }
+
+  // Vertex k of an arc drawn with n segments, as V-planes names it; zeros if it has no name in this cell.
+  static CornerName name_of(const Cell& cell, const LoopArc& a, std::size_t n, std::size_t k) {
+    const Arc& arc = *a.arc;
+    CornerName name{0, 0, 0};
+    const std::size_t bends = arc.bends.size();
+    if (n != (arc.closed ? bends : bends + 1)) return name;  // bends were left out
+    if (arc.closed) {
+      name = {arc.surfaces[(k + bends - 1) % bends], arc.surfaces[k % bends], side_label(a.side)};
+    } else if (k > 0 && k < n) {
+      name = {arc.surfaces[k - 1], arc.surfaces[k], side_label(a.side)};
+    } else {
+      const Crossing& x = k == 0 ? arc.start : arc.end;
+      const int b = (x.axis + 1) % 3, c = (x.axis + 2) % 3;
+      const auto side_at = [&](int axis, std::uint32_t at) {
+        return at == cell.lower[axis] ? 2 * axis : at == cell.lower[axis] + cell.size ? 2 * axis + 1 : -1;
+      };
+      const int s = side_at(b, x.i), t = side_at(c, x.j);
+      if (s < 0 || t < 0) return name;
+      name = {x.surface, side_label(s), side_label(t)};
+    }
+    std::sort(name.begin(), name.end());
+    return name;
   }
 
   void emit(const DrawnLoop& loop, const Fan& fan) {

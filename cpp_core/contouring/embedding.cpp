@@ -25,27 +25,38 @@ std::vector<Vec3> rounded_copy(const std::vector<Vec3>& vertices) {
   return result;
 }
 
+// In double, or once rounded.
+bool pair_meets(const std::vector<Vec3>& v, const Triangle& s, const Triangle& t, bool rounded_too) {
+  if (!boxes_apart(v, s, t) && (has_no_area(v[s[0]], v[s[1]], v[s[2]]) || has_no_area(v[t[0]], v[t[1]], v[t[2]]) || meet_outside_shared(v, s, t)))
+    return true;
+  if (!rounded_too) return false;
+  // A small mesh of their own, with shared vertices still shared.
+  std::vector<Vec3> six;
+  Triangle rs, rt;
+  for (int k = 0; k < 3; ++k) rs[k] = static_cast<std::uint32_t>(k), six.push_back(to_float(v[s[k]]));
+  for (int k = 0; k < 3; ++k) {
+    const auto same = std::find(s.begin(), s.end(), t[k]);
+    rt[k] = same != s.end() ? static_cast<std::uint32_t>(same - s.begin()) : static_cast<std::uint32_t>(six.size());
+    if (same == s.end()) six.push_back(to_float(v[t[k]]));
+  }
+  const auto empty = [&](const Triangle& x) { return has_no_area(six[x[0]], six[x[1]], six[x[2]]); };
+  return !boxes_apart(six, rs, rt) && (empty(rs) || empty(rt) || meet_outside_shared(six, rs, rt));
+}
+
 }  // namespace
 
 bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,
                std::size_t count_b, bool rounded_too) {
-  for (const bool rounded : {false, true}) {
-    if (rounded && !rounded_too) continue;
-    for (std::size_t i = 0; i < count_a; ++i)
-      for (std::size_t j = 0; j < count_b; ++j) {
-        if (!rounded) {
-          if (!boxes_apart(vertices, a[i], b[j]) && meet_outside_shared(vertices, a[i], b[j])) return true;
-          continue;
-        }
-        std::vector<Vec3> six;
-        for (int k = 0; k < 3; ++k) six.push_back(to_float(vertices[a[i][k]]));
-        for (int k = 0; k < 3; ++k) six.push_back(to_float(vertices[b[j][k]]));
-        const Triangle s{0, 1, 2}, t{3, 4, 5};
-        if (boxes_apart(six, s, t)) continue;
-        if (has_no_area(six[0], six[1], six[2]) || has_no_area(six[3], six[4], six[5]) || meet_outside_shared(six, s, t))
-          return true;
-      }
-  }
+  for (std::size_t i = 0; i < count_a; ++i)
+    for (std::size_t j = 0; j < count_b; ++j)
+      if (pair_meets(vertices, a[i], b[j], rounded_too)) return true;
+  return false;
+}
+
+bool sheet_folds(const std::vector<Vec3>& vertices, const Triangle* triangles, std::size_t count, bool rounded_too) {
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (pair_meets(vertices, triangles[i], triangles[j], rounded_too)) return true;
   return false;
 }
 

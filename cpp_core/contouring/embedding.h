@@ -15,4 +15,7 @@ std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, 
 bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,
                std::size_t count_b, bool rounded_too = true);
 
+/// Does any triangle of a sheet meet another of it outside shared vertices and edges?
+bool sheet_folds(const std::vector<Vec3>& vertices, const Triangle* triangles, std::size_t count, bool rounded_too = true);
+
 }  // namespace starcell

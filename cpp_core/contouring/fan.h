@@ -13,6 +13,7 @@ namespace starcell {
 struct DrawnLoop {
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> surfaces;   ///< surfaces[k]: plane of the segment from vertex k to k+1, or no_surface
+  std::vector<CornerName> names;         ///< names[k]: what vertex k is to V-planes; zeros: a point that it does not know
   double gap = 0;                        ///< Fréchet distance to E's loop
 };
 

@@ -125,7 +125,9 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
     const std::vector<std::uint32_t> surfaces = surfaces_of(table, group.facets);
     auto sheet = concurrent_sheet(restriction_, box, surfaces, vertices_inside(table, group.facets, box));
     if (!sheet) {
-      if (worth_isolating(surfaces, box)) return false;
+      const bool feature = worth_isolating(surfaces, box);
+      if (feature && accept_planes(problem, box, leaf = Leaf())) return true;
+      if (feature) return false;
       sheet = slab_sheet(table, box, group.facets, group.flip);
       if (!sheet || sheet->high - sheet->low > slab_share * settings_.error) {
         if (!small_enough(box)) return false;
@@ -195,20 +197,31 @@ bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& 
 }
 
 bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  const auto sheets = plane_sheets(restriction_, problem);
-  if (!sheets) return accept_cone(problem, box, leaf) || accept_star(problem, box, leaf = Leaf());
-  for (const PlaneSheet& plane_sheet : *sheets) {
+  if (accept_planes(problem, box, leaf) || accept_cone(problem, box, leaf = Leaf())) return true;
+  return accept_star(problem, box, leaf = Leaf());
+}
+
+// V-planes knows E∩C itself: what is no cone is taken over polygon by polygon, whatever the error.
+bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  auto sheets = plane_sheets(restriction_, problem);
+  if (!sheets) return false;
+  for (PlaneSheet& plane_sheet : *sheets) {
     auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
     if (!sheet) {
-      if (worth_isolating(plane_sheet.surfaces, box) || !small_enough(box)) return false;
       sheet = Sheet();
+      if (!plane_sheet.contact) {
+        sheet->shape = Sheet::Shape::polygons;
+        sheet->polygons = std::move(plane_sheet.polygons);
+      } else if (!small_enough(box)) {
+        return false;
+      }
     }
-    sheet->crossings = plane_sheet.crossings;
+    sheet->crossings = std::move(plane_sheet.crossings);
     sheet->contact = plane_sheet.contact;
     leaf.contact = leaf.contact || plane_sheet.contact;
     leaf.sheets.push_back(std::move(*sheet));
   }
-  if (!sheets->empty() && !trace_faces(problem, leaf)) return false;
+  if (!leaf.sheets.empty() && !trace_faces(problem, leaf)) return false;
   count(statistics_.voxel_planes);
   const FacetTable& table = restriction_.table();
   for (const std::uint32_t id : surfaces_of(table, problem.facets)) leaf.contact = leaf.contact || table.surfaces[id].shared;

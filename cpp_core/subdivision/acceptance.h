@@ -36,6 +36,7 @@ class Acceptance {
   bool hopeless(const CellProblem& problem, const Box3& box) const;
   bool accept_linked(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool accept_planes(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;

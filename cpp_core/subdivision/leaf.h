@@ -9,12 +9,29 @@
 
 namespace starcell {
 
-/// One disk of E in the cell, and why a fan over its loop is near it.
+/// Names a corner of a sheet's polygon by the three planes through it, ascending: surfaces, or sides of the cell.
+using CornerName = std::array<std::uint32_t, 3>;
+
+/// The label of a cell's side, as face_of() numbers them; above all surfaces.
+constexpr std::uint32_t side_label(int side) { return UINT32_MAX - 7 + static_cast<std::uint32_t>(side); }
+
+/// A convex polygon of a sheet, counter-clockwise about E's outward normal.
+struct SheetPolygon {
+  struct Corner {
+    CornerName name;
+    Vec3 place;
+  };
+  std::uint32_t surface = 0;
+  std::vector<Corner> corners;
+};
+
+/// One disk of E in the cell, and why what replaces it is near it.
 struct Sheet {
   enum class Shape {
     planar,   ///< on one plane: any fan on the plane is E
     crease,   ///< on two planes: a fan from a point of their common line is E
     corner,   ///< on planes through one point `apex` of the cell: the fan from it is E
+    polygons, ///< exactly these polygons
     slab,     ///< a graph over the plane across `direction`, between heights low and high
     loose,    ///< no more is known than that it lies in the cell
   };
@@ -24,6 +41,7 @@ struct Sheet {
   Vec3 direction = Vec3::Zero();
   double low = 0, high = 0;
   std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to this sheet
+  std::vector<SheetPolygon> polygons;    ///< shape polygons only
   bool contact = false;
 };
 

@@ -9,8 +9,7 @@
 
 #include <optional>
 
-#include "subdivision/cell_problem.h"
-#include "subdivision/trace.h"
+#include "subdivision/leaf.h"
 
 namespace starcell {
 
@@ -18,6 +17,7 @@ namespace starcell {
 struct PlaneSheet {
   std::vector<std::uint32_t> surfaces;   ///< ascending
   std::vector<Crossing> crossings;       ///< its crossings with the cell's edges; only line and surface are set
+  std::vector<SheetPolygon> polygons;    ///< the sheet itself
   bool contact = false;                  ///< touches another sheet in an edge or a vertex
 };
 

@@ -1,0 +1,257 @@
+#include "subdivision/plane_arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/predicates.h"
+
+namespace starcell {
+namespace {
+
+PointName name_of(int a, int b, int c) {
+  PointName n{a, b, c};
+  std::sort(n.begin(), n.end());
+  return n;
+}
+
+Interval det(const Interval& a, const Interval& b, const Interval& c, const Interval& d) { return a * d - b * c; }
+
+}  // namespace
+
+bool PlaneArrangement::build(std::size_t max_planes) {
+  const FacetTable& table = restriction_.table();
+  for (const std::uint32_t f : problem_.facets) surfaces_.push_back(table.surface[f]);
+  std::sort(surfaces_.begin(), surfaces_.end());
+  surfaces_.erase(std::unique(surfaces_.begin(), surfaces_.end()), surfaces_.end());
+  if (surfaces_.size() > max_planes) return false;
+  {
+    const Rounding rounding;
+    make_planes();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      if (!cut_plane(static_cast<int>(i))) return false;
+  }
+  return keep_boundary();
+}
+
+void PlaneArrangement::make_planes() {
+  const double size = restriction_.grid().unit * problem_.cell.size;
+  for (const std::uint32_t id : surfaces_) {
+    const Surface& s = restriction_.table().surfaces[id];
+    Plane p;
+    Interval dot(0.0);
+    for (int k = 0; k < 3; ++k) {
+      p.n[k] = Interval(s.normal[k]);
+      dot += p.n[k] * Interval(box_.min()[k]);
+    }
+    p.d = Interval(s.offset) - dot + Interval(-s.thickness, s.thickness);
+    planes_.push_back(p);
+  }
+  for (int side = 0; side < 6; ++side) {
+    Plane p;
+    for (int k = 0; k < 3; ++k) p.n[k] = Interval(k == side / 2 ? 1.0 : 0.0);
+    p.d = Interval(side % 2 ? size : 0.0);
+    planes_.push_back(p);
+  }
+}
+
+// Cramer's rule in intervals.
+bool PlaneArrangement::solve(const PointName& name, Interval3& x) const {
+  const Plane &p = planes_[name[0]], &q = planes_[name[1]], &r = planes_[name[2]];
+  const Interval yz = det(q.n[1], q.n[2], r.n[1], r.n[2]), xz = det(q.n[0], q.n[2], r.n[0], r.n[2]),
+                 xy = det(q.n[0], q.n[1], r.n[0], r.n[1]);
+  const Interval whole = p.n[0] * yz - p.n[1] * xz + p.n[2] * xy;
+  if (certain_sign(whole) == 0) return false;
+  const Interval dyz = det(q.d, q.n[2], r.d, r.n[2]), dxy = det(q.d, q.n[1], r.d, r.n[1]),
+                 dxz = det(q.n[0], q.d, r.n[0], r.d), xyd = det(q.n[0], q.n[1], r.n[0], r.n[1]),
+                 ydx = det(q.n[1], q.d, r.n[1], r.d);
+  x.x = (p.d * yz - p.n[1] * dyz + p.n[2] * dxy) / whole;
+  x.y = (p.n[0] * dyz - p.d * xz + p.n[2] * dxz) / whole;
+  x.z = (p.n[0] * ydx - p.n[1] * dxz + p.d * xyd) / whole;
+  return true;
+}
+
+int PlaneArrangement::point(const PointName& name) {
+  const auto [it, fresh] = index_.emplace(name, static_cast<int>(points_.size()));
+  if (fresh) {
+    Interval3 x;
+    if (!solve(name, x)) return -1;
+    points_.push_back(x);
+    names_.push_back(name);
+  }
+  return it->second;
+}
+
+// The polygon in which plane i cuts the cell, from the signs of the eight corners.
+bool PlaneArrangement::start_polygon(int i, PlanePolygon& polygon) {
+  const double size = restriction_.grid().unit * problem_.cell.size;
+  std::array<int, 8> sign;
+  for (int c = 0; c < 8; ++c) {
+    const Interval3 x{Interval(c & 1 ? size : 0.0), Interval(c & 2 ? size : 0.0), Interval(c & 4 ? size : 0.0)};
+    sign[c] = certain_sign(value(planes_[i], x));
+    if (sign[c] == 0) return false;
+  }
+  // Each crossed edge joins two sides of the cell, each crossed side two edges: one cycle around the cell.
+  std::map<int, std::vector<std::pair<int, int>>> at_side;  // side -> (point, the point's other side)
+  int crossed = 0;
+  for (int c = 0; c < 8; ++c)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (c >> axis & 1 || sign[c] == sign[c | 1 << axis]) continue;
+      const int b = (axis + 1) % 3, d = (axis + 2) % 3;
+      const int s = 2 * b + (c >> b & 1), t = 2 * d + (c >> d & 1);
+      const int p = point(name_of(i, count() + s, count() + t));
+      if (p < 0) return false;
+      at_side[s].emplace_back(p, t);
+      at_side[t].emplace_back(p, s);
+      ++crossed;
+    }
+  polygon.plane = i;
+  if (crossed == 0) return true;
+  int side = at_side.begin()->first;
+  int at = at_side.begin()->second[0].first;
+  for (int k = 0; k < crossed; ++k) {
+    const auto& pair = at_side[side];
+    if (pair.size() != 2) return false;
+    polygon.corner.push_back(at);
+    polygon.edge.push_back(count() + side);
+    const auto& next = pair[0].first == at ? pair[1] : pair[0];
+    at = next.first;
+    side = next.second;
+  }
+  return turn_to_normal(polygon);
+}
+
+// The whole polygon is wide enough for doubles to see its sense, or it is not used.
+bool PlaneArrangement::turn_to_normal(PlanePolygon& polygon) const {
+  const std::size_t n = polygon.corner.size();
+  const Vec3 origin = points_[polygon.corner[0]].middle();
+  Vec3 area = Vec3::Zero();
+  for (std::size_t k = 1; k + 1 < n; ++k)
+    area += (points_[polygon.corner[k]].middle() - origin).cross(points_[polygon.corner[k + 1]].middle() - origin);
+  const double along = area.dot(restriction_.table().surfaces[surfaces_[polygon.plane]].normal);
+  if (!(std::abs(along) > 0.5 * area.norm())) return false;
+  if (along > 0) return true;
+  std::reverse(polygon.corner.begin(), polygon.corner.end());
+  std::reverse(polygon.edge.begin(), polygon.edge.end() - 1);
+  return true;
+}
+
+bool PlaneArrangement::cut_plane(int i) {
+  PlanePolygon whole;
+  if (!start_polygon(i, whole)) return false;
+  if (whole.corner.empty()) return true;
+  std::vector<PlanePolygon> parts{std::move(whole)}, next;
+  for (int j = 0; j < count(); ++j) {
+    if (j == i) continue;
+    next.clear();
+    for (PlanePolygon& part : parts)
+      if (!split(part, j, next)) return false;
+    parts.swap(next);
+  }
+  for (PlanePolygon& part : parts) polygons_.push_back(std::move(part));
+  return true;
+}
+
+bool PlaneArrangement::split(PlanePolygon& part, int j, std::vector<PlanePolygon>& out) {
+  const std::size_t n = part.corner.size();
+  std::vector<int> sign(n);
+  bool above = false, under = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    sign[k] = certain_sign(value(planes_[j], points_[part.corner[k]]));
+    if (sign[k] == 0) return false;
+    (sign[k] > 0 ? above : under) = true;
+  }
+  if (!above || !under) {
+    out.push_back(std::move(part));
+    return true;
+  }
+  for (const int keep : {1, -1}) {
+    PlanePolygon half;
+    half.plane = part.plane;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t next = (k + 1) % n;
+      if (sign[k] == keep) {
+        half.corner.push_back(part.corner[k]);
+        half.edge.push_back(part.edge[k]);
+      }
+      if (sign[k] == sign[next]) continue;
+      const int p = point(name_of(part.plane, part.edge[k], j));
+      if (p < 0) return false;
+      half.corner.push_back(p);
+      half.edge.push_back(sign[k] == keep ? j : part.edge[k]);
+    }
+    out.push_back(std::move(half));
+  }
+  return true;
+}
+
+// Drops the polygons that E does not use; learns which side of the others is solid.
+bool PlaneArrangement::keep_boundary() {
+  std::vector<PlanePolygon> kept;
+  for (PlanePolygon& polygon : polygons_) {
+    Vec3 middle = Vec3::Zero();
+    for (const int c : polygon.corner) middle += points_[c].middle();
+    middle /= static_cast<double>(polygon.corner.size());
+    if (!certainly_inside(polygon, middle)) return false;
+    const Vec3 world = middle + box_.min();
+    const Membership flips = covering(polygon.plane, world);
+    if (flips == 0) continue;
+    const std::uint32_t surface = surfaces_[polygon.plane];
+    const auto around = restriction_.mask_near(
+        problem_, world, 0.0, [&](std::uint32_t f) { return restriction_.table().surface[f] == surface; });
+    if (!around) return false;
+    const bool corner_side = problem_.expression.value(*around);
+    if (corner_side == problem_.expression.value(*around ^ flips)) continue;
+    polygon.positive_inside = (corner_sign_[polygon.plane] > 0) == corner_side;
+    kept.push_back(std::move(polygon));
+  }
+  polygons_.swap(kept);
+  return true;
+}
+
+// The rounded middle must be certified to lie in the polygon's own region of the arrangement.
+bool PlaneArrangement::certainly_inside(const PlanePolygon& polygon, const Vec3& middle) {
+  const Rounding rounding;
+  const Interval3 x{Interval(middle.x()), Interval(middle.y()), Interval(middle.z())};
+  if (corner_sign_.empty())
+    for (int j = 0; j < count(); ++j) corner_sign_.push_back(certain_sign(-planes_[j].d));
+  for (int j = 0; j < count() + 6; ++j) {
+    if (j == polygon.plane) continue;
+    const int sign = certain_sign(value(planes_[j], x));
+    if (sign == 0) return false;
+    for (const int c : polygon.corner)
+      if (names_[c][0] != j && names_[c][1] != j && names_[c][2] != j &&
+          certain_sign(value(planes_[j], points_[c])) == -sign)
+        return false;
+  }
+  return true;
+}
+
+Membership PlaneArrangement::covering(int plane, const Vec3& x) const {
+  const FacetTable& table = restriction_.table();
+  int axis = 0;
+  table.surfaces[surfaces_[plane]].normal.cwiseAbs().maxCoeff(&axis);
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  const Vec2 at = project(x, axis);
+  Membership mask = 0;
+  for (const std::uint32_t f : problem_.facets) {
+    if (table.surface[f] != surfaces_[plane]) continue;
+    const Vec2 p = project(table.corner(f, 0), axis), q = project(table.corner(f, 1), axis),
+               r = project(table.corner(f, 2), axis);
+    const int s = turn_grid(p, q, at, a, b);
+    if (s != 0 && turn_grid(q, r, at, a, b) == s && turn_grid(r, p, at, a, b) == s)
+      mask ^= Membership{1} << restriction_.slot_of(problem_, f);
+  }
+  return mask;
+}
+
+bool PlaneArrangement::above(const PlanePolygon& polygon, int plane) const {
+  for (const int c : polygon.corner) {
+    const PointName& name = names_[c];
+    if (name[0] == plane || name[1] == plane || name[2] == plane) continue;
+    const Rounding rounding;
+    return certain_sign(value(planes_[plane], points_[c])) > 0;
+  }
+  return false;
+}
+
+}  // namespace starcell

@@ -1,0 +1,72 @@
+// The arrangement of a cell's supporting planes: which convex polygons of them bound E.
+//
+// Ground that V-planes stands on. Points are named by the three planes through them, so that equal points are equal names;
+// every sign that splits a polygon is certified by interval arithmetic on such points.
+#pragma once
+
+#include <map>
+
+#include "numerics/interval.h"
+#include "subdivision/cell_problem.h"
+
+namespace starcell {
+
+/// A point on three planes, ascending labels: below the plane count surfaces, then the six sides of the cell (lower x, upper
+/// x, lower y, ...).
+using PointName = std::array<int, 3>;
+
+/// edge[k] is the plane that cuts out the edge from corner k to k+1. Corners run counter-clockwise about the plane's normal.
+struct PlanePolygon {
+  int plane = 0;
+  std::vector<int> corner;   ///< indices of points
+  std::vector<int> edge;
+  bool positive_inside = false;   ///< E's solid is on the plane's positive side
+};
+
+class PlaneArrangement {
+ public:
+  PlaneArrangement(const Restriction& restriction, const CellProblem& problem)
+      : restriction_(restriction), problem_(problem), box_(box_of(restriction.grid(), problem.cell)) {}
+
+  /// Cuts every plane by all others and keeps the polygons of E. False: too many planes, or some sign is uncertain.
+  bool build(std::size_t max_planes);
+
+  int count() const { return static_cast<int>(surfaces_.size()); }
+  const std::vector<std::uint32_t>& surfaces() const { return surfaces_; }
+  const std::vector<PlanePolygon>& polygons() const { return polygons_; }
+  const PointName& name(int point) const { return names_[point]; }
+  Vec3 place(int point) const { return points_[point].middle() + box_.min(); }
+  /// Is the polygon on the positive side of a plane that does not carry it?
+  bool above(const PlanePolygon& polygon, int plane) const;
+
+ private:
+  struct Plane {
+    Interval n[3];
+    Interval d;   // relative to the cell's lower corner
+  };
+
+  static Interval value(const Plane& p, const Interval3& x) { return p.n[0] * x.x + p.n[1] * x.y + p.n[2] * x.z - p.d; }
+  void make_planes();
+  bool solve(const PointName& name, Interval3& x) const;
+  int point(const PointName& name);
+  bool start_polygon(int i, PlanePolygon& polygon);
+  bool turn_to_normal(PlanePolygon& polygon) const;
+  bool cut_plane(int i);
+  bool split(PlanePolygon& part, int j, std::vector<PlanePolygon>& out);
+  bool keep_boundary();
+  bool certainly_inside(const PlanePolygon& polygon, const Vec3& middle);
+  Membership covering(int plane, const Vec3& x) const;
+
+  const Restriction& restriction_;
+  const CellProblem& problem_;
+  const Box3 box_;
+  std::vector<std::uint32_t> surfaces_;
+  std::vector<Plane> planes_;
+  std::vector<int> corner_sign_;
+  std::map<PointName, int> index_;
+  std::vector<Interval3> points_;
+  std::vector<PointName> names_;
+  std::vector<PlanePolygon> polygons_;
+};
+
+}  // namespace starcell
