@@ -5,7 +5,7 @@
 #include <map>
 
 #include "contouring/embedding.h"
-#include "contouring/polygon_sheet.h"
+#include "contouring/flat_sheet.h"
 #include "contouring/trace_points.h"
 #include "subdivision/loops.h"
 
@@ -22,7 +22,7 @@ struct MinimalFace {
 bool has_cone(const Leaf& leaf) {
   return std::any_of(leaf.sheets.begin(), leaf.sheets.end(), [](const Sheet& sheet) {
     return sheet.shape == Sheet::Shape::planar || sheet.shape == Sheet::Shape::crease || sheet.shape == Sheet::Shape::corner ||
-           sheet.shape == Sheet::Shape::polygons;
+           sheet.shape == Sheet::Shape::flats;
   });
 }
 
@@ -146,9 +146,9 @@ class Contourer {
     const Grid& grid = restriction_.grid();
     const Cell& cell = leaf.problem.cell;
     const Box3 box = box_of(grid, cell);
-    if (sheet.shape == Sheet::Shape::polygons) {
+    if (sheet.shape == Sheet::Shape::flats) {
       const std::size_t first = result_.mesh.triangles.size();
-      const auto made = emit_polygons(box, sheet, loop, grid.margin(cell.size), result_.mesh);
+      const auto made = emit_flats(box, sheet, loop, grid.margin(cell.size), result_.mesh);
       if (made) {
         result_.bound = std::max(result_.bound, made->bound);
         return made->bound <= settings_.error &&

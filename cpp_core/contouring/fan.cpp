@@ -27,7 +27,7 @@ class FanMaker {
       case Sheet::Shape::crease: return crease();
       case Sheet::Shape::corner: return cone(sheet_.apex);
       case Sheet::Shape::slab: return slab();
-      case Sheet::Shape::polygons:
+      case Sheet::Shape::flats:
       case Sheet::Shape::loose: break;
     }
     return anything();

@@ -201,7 +201,7 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
   return accept_star(problem, box, leaf = Leaf());
 }
 
-// V-planes knows E∩C itself: what is no cone is taken over polygon by polygon, whatever the error.
+// V-planes knows E∩C itself: what is no cone is taken over plane by plane, whatever the error.
 bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   auto sheets = plane_sheets(restriction_, problem);
   if (!sheets) return false;
@@ -209,9 +209,9 @@ bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf
     auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
     if (!sheet) {
       sheet = Sheet();
-      if (!plane_sheet.contact) {
-        sheet->shape = Sheet::Shape::polygons;
-        sheet->polygons = std::move(plane_sheet.polygons);
+      if (!plane_sheet.contact && !plane_sheet.flats.empty()) {
+        sheet->shape = Sheet::Shape::flats;
+        sheet->flats = std::move(plane_sheet.flats);
       } else if (!small_enough(box)) {
         return false;
       }

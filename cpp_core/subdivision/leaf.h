@@ -15,14 +15,15 @@ using CornerName = std::array<std::uint32_t, 3>;
 /// The label of a cell's side, as face_of() numbers them; above all surfaces.
 constexpr std::uint32_t side_label(int side) { return UINT32_MAX - 7 + static_cast<std::uint32_t>(side); }
 
-/// A convex polygon of a sheet, counter-clockwise about E's outward normal.
-struct SheetPolygon {
+/// What a sheet has of one plane: a flat region, its rim's cycles counter-clockwise about E's outward normal.
+struct FlatPart {
   struct Corner {
     CornerName name;
+    std::uint32_t edge;   ///< label of the plane or side along which the rim goes on
     Vec3 place;
   };
   std::uint32_t surface = 0;
-  std::vector<Corner> corners;
+  std::vector<std::vector<Corner>> cycles;
 };
 
 /// One disk of E in the cell, and why what replaces it is near it.
@@ -31,7 +32,7 @@ struct Sheet {
     planar,   ///< on one plane: any fan on the plane is E
     crease,   ///< on two planes: a fan from a point of their common line is E
     corner,   ///< on planes through one point `apex` of the cell: the fan from it is E
-    polygons, ///< exactly these polygons
+    flats,    ///< exactly these flat parts
     slab,     ///< a graph over the plane across `direction`, between heights low and high
     loose,    ///< no more is known than that it lies in the cell
   };
@@ -41,7 +42,7 @@ struct Sheet {
   Vec3 direction = Vec3::Zero();
   double low = 0, high = 0;
   std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to this sheet
-  std::vector<SheetPolygon> polygons;    ///< shape polygons only
+  std::vector<FlatPart> flats;           ///< shape flats only
   bool contact = false;
 };
 

@@ -107,16 +107,19 @@ class Gluing {
       result.emplace_back();
     }
     std::sort(split_points.begin(), split_points.end());
+    std::vector<std::vector<int>> members(result.size());
     for (std::size_t p = 0; p < polygons_.size(); ++p) {
-      PlaneSheet& sheet = result[sheet_of[sheets.root(static_cast<int>(p))]];
+      const int s = sheet_of[sheets.root(static_cast<int>(p))];
+      PlaneSheet& sheet = result[s];
+      members[s].push_back(static_cast<int>(p));
       sheet.surfaces.push_back(arrangement_.surfaces()[polygons_[p].plane]);
       sheet.contact = sheet.contact || contact[p];
-      sheet.polygons.push_back(sheet_polygon(polygons_[p]));
       for (const int c : polygons_[p].corner) {
         if (std::binary_search(split_points.begin(), split_points.end(), c)) sheet.contact = true;
         add_crossing(arrangement_.name(c), sheet);
       }
     }
+    for (std::size_t s = 0; s < result.size(); ++s) result[s].flats = flat_parts(members[s]);
     for (PlaneSheet& sheet : result) {
       std::sort(sheet.surfaces.begin(), sheet.surfaces.end());
       sheet.surfaces.erase(std::unique(sheet.surfaces.begin(), sheet.surfaces.end()), sheet.surfaces.end());
@@ -145,18 +148,56 @@ class Gluing {
     return plane < arrangement_.count() ? arrangement_.surfaces()[plane] : side_label(plane - arrangement_.count());
   }
 
-  // Counter-clockwise about E's outward normal.
-  SheetPolygon sheet_polygon(const PlanePolygon& polygon) const {
-    SheetPolygon result;
-    result.surface = arrangement_.surfaces()[polygon.plane];
-    for (const int c : polygon.corner) {
+  // The polygons of one plane and sense joined: what cuts through a plane without bounding E there leaves no corner.
+  std::vector<FlatPart> flat_parts(const std::vector<int>& members) const {
+    std::map<std::array<int, 3>, int> directed;  // (plane and sense, from, to) -> cutting plane
+    for (const int p : members) {
+      const PlanePolygon& polygon = polygons_[p];
+      const std::size_t n = polygon.corner.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        int from = polygon.corner[k], to = polygon.corner[(k + 1) % n];
+        if (polygon.positive_inside) std::swap(from, to);
+        const int sense = 2 * polygon.plane + polygon.positive_inside;
+        if (directed.erase({sense, to, from}) == 0) directed[{sense, from, to}] = polygon.edge[k];
+      }
+    }
+    std::map<int, std::map<int, std::pair<int, int>>> next;  // plane and sense -> from -> (to, cutting plane)
+    for (const auto& [key, edge] : directed)
+      if (!next[key[0]].emplace(key[1], std::pair(key[2], edge)).second) return {};
+    std::vector<FlatPart> parts;
+    for (auto& [sense, rim] : next) {
+      FlatPart part;
+      part.surface = arrangement_.surfaces()[sense / 2];
+      while (!rim.empty()) {
+        auto cycle = take_cycle(rim);
+        if (!cycle) return {};
+        part.cycles.push_back(std::move(*cycle));
+      }
+      parts.push_back(std::move(part));
+    }
+    return parts;
+  }
+
+  std::optional<std::vector<FlatPart::Corner>> take_cycle(std::map<int, std::pair<int, int>>& rim) const {
+    std::vector<std::pair<int, int>> around;  // point, cutting plane onwards
+    for (auto at = rim.begin(); at != rim.end();) {
+      around.emplace_back(at->first, at->second.second);
+      const int to = at->second.first;
+      rim.erase(at);
+      at = rim.find(to);
+      if (at == rim.end() && to != around.front().first) return std::nullopt;
+    }
+    std::vector<FlatPart::Corner> cycle;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const auto [c, edge] = around[k];
+      if (around[(k + around.size() - 1) % around.size()].second == edge) continue;  // straight on
       const PointName& name = arrangement_.name(c);
       CornerName corner{label(name[0]), label(name[1]), label(name[2])};
       std::sort(corner.begin(), corner.end());
-      result.corners.push_back({corner, arrangement_.place(c)});
+      cycle.push_back({corner, label(edge), arrangement_.place(c)});
     }
-    if (polygon.positive_inside) std::reverse(result.corners.begin(), result.corners.end());
-    return result;
+    if (cycle.size() < 3) return std::nullopt;
+    return cycle;
   }
 
   const PlaneArrangement& arrangement_;

@@ -17,7 +17,7 @@ namespace starcell {
 struct PlaneSheet {
   std::vector<std::uint32_t> surfaces;   ///< ascending
   std::vector<Crossing> crossings;       ///< its crossings with the cell's edges; only line and surface are set
-  std::vector<SheetPolygon> polygons;    ///< the sheet itself
+  std::vector<FlatPart> flats;           ///< the sheet itself; empty if a part touches itself
   bool contact = false;                  ///< touches another sheet in an edge or a vertex
 };
 
