@@ -1,5 +1,6 @@
 #include "operations/boolean.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -40,6 +41,8 @@ constexpr int most_rounds = 24;
 // How often another position of the grid is tried, and up to how many leaves.
 constexpr int most_attempts = 5;
 constexpr std::size_t small_tree = 5000;
+constexpr std::ptrdiff_t few_planes = 64;
+constexpr std::size_t least_leaves = 12;
 // How often operands are moved when cells stay open.
 constexpr int most_retries = 2;
 
@@ -121,6 +124,7 @@ class Evaluation {
     std::vector<Graze> suspects;   // unresolved cells that several operands reach
     double operands_moved = 0;
     std::size_t leaves = 0;
+    bool grazes = false;           // exactness was lost to the position of the grid
   };
 
   void mesh() {
@@ -155,26 +159,43 @@ class Evaluation {
     c.statistics["seconds.merge"] = watch_.lap();
   }
 
+  // Tries another position of the grid where the first one is unlucky and the tree small enough; keeps the smallest tree.
   Run subdivide(const FacetTable& table, double moved) {
+    const bool few = few_surfaces(table);
+    Run best = subdivide_once(table, moved, 0);
+    for (int attempt = 1; attempt < most_attempts && (best.grazes || (few && best.leaves > least_leaves)); ++attempt) {
+      Run next = subdivide_once(table, moved, attempt);
+      if (next.unresolved.size() > best.unresolved.size() || (next.grazes && !best.grazes)) continue;
+      if ((best.grazes && !next.grazes) || next.leaves < best.leaves) best = std::move(next);
+    }
+    return best;
+  }
+
+  // A polytope-like input: a better grid costs little to find and halves the tree.
+  static bool few_surfaces(const FacetTable& table) {
+    std::vector<std::uint32_t> ids = table.surface;
+    std::sort(ids.begin(), ids.end());
+    return std::unique(ids.begin(), ids.end()) - ids.begin() <= few_planes;
+  }
+
+  Run subdivide_once(const FacetTable& table, double moved, int attempt) {
     Certificate& c = result_.certificate;
     Run run;
     run.operands_moved = table.thickest + moved;
-    for (int attempt = 0;; ++attempt) {
-      run.grid = choose_grid(box_, table, attempt);
-      const Restriction restriction(table, run.grid);
-      const AcceptanceSettings settings = acceptance_settings(table, run.grid, moved);
-      Reporter reporter(options_.progress, "subdividing", 0, 0.8);
-      Subdivision subdivision(restriction, settings, limits_of(run.grid), statistics_, reporter);
-      Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
-          std::vector<State>(operands_.solids.size(), State::mixed))));
-      c.statistics["seconds.subdivide"] += watch_.lap();
-      run.contour = refine_until_good(restriction, subdivision, tree, settings);
-      c.statistics["seconds.contour"] += watch_.lap();
-      c.statistics["grid_attempts"] = attempt + 1;
-      if (attempt + 1 < most_attempts && grazes_grid(tree, run.contour)) continue;
-      report(tree, table, run);
-      return run;
-    }
+    run.grid = choose_grid(box_, table, attempt);
+    const Restriction restriction(table, run.grid);
+    const AcceptanceSettings settings = acceptance_settings(table, run.grid, moved);
+    Reporter reporter(options_.progress, "subdividing", 0, 0.8);
+    Subdivision subdivision(restriction, settings, limits_of(run.grid), statistics_, reporter);
+    Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
+        std::vector<State>(operands_.solids.size(), State::mixed))));
+    c.statistics["seconds.subdivide"] += watch_.lap();
+    run.contour = refine_until_good(restriction, subdivision, tree, settings);
+    c.statistics["seconds.contour"] += watch_.lap();
+    c.statistics["grid_attempts"] += 1;
+    run.grazes = grazes_grid(tree, run.contour);
+    report(tree, table, run);
+    return run;
   }
 
   static void report(const Octree& tree, const FacetTable& table, Run& run) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "subdivision/plane_arrangement.h"
 
@@ -164,22 +165,34 @@ class Gluing {
     std::map<int, std::map<int, std::pair<int, int>>> next;  // plane and sense -> from -> (to, cutting plane)
     for (const auto& [key, edge] : directed)
       if (!next[key[0]].emplace(key[1], std::pair(key[2], edge)).second) return {};
-    std::vector<FlatPart> parts;
-    for (auto& [sense, rim] : next) {
-      FlatPart part;
-      part.surface = arrangement_.surfaces()[sense / 2];
+    std::map<int, std::vector<Cycle>> cycles;  // by plane and sense
+    std::set<int> corners;                     // a corner of one part is one of all parts that pass it
+    for (auto& [sense, rim] : next)
       while (!rim.empty()) {
         auto cycle = take_cycle(rim);
         if (!cycle) return {};
-        part.cycles.push_back(std::move(*cycle));
+        for (std::size_t k = 0; k < cycle->size(); ++k)
+          if (turns(*cycle, k)) corners.insert((*cycle)[k].first);
+        cycles[sense].push_back(std::move(*cycle));
       }
+    std::vector<FlatPart> parts;
+    for (const auto& [sense, some] : cycles) {
+      FlatPart part;
+      part.surface = arrangement_.surfaces()[sense / 2];
+      for (const Cycle& cycle : some) part.cycles.push_back(corners_of(cycle, corners));
       parts.push_back(std::move(part));
     }
     return parts;
   }
 
-  std::optional<std::vector<FlatPart::Corner>> take_cycle(std::map<int, std::pair<int, int>>& rim) const {
-    std::vector<std::pair<int, int>> around;  // point, cutting plane onwards
+  using Cycle = std::vector<std::pair<int, int>>;   // points, and the cutting plane onwards
+
+  static bool turns(const Cycle& cycle, std::size_t k) {
+    return cycle[(k + cycle.size() - 1) % cycle.size()].second != cycle[k].second;
+  }
+
+  std::optional<Cycle> take_cycle(std::map<int, std::pair<int, int>>& rim) const {
+    Cycle around;
     for (auto at = rim.begin(); at != rim.end();) {
       around.emplace_back(at->first, at->second.second);
       const int to = at->second.first;
@@ -187,17 +200,19 @@ class Gluing {
       at = rim.find(to);
       if (at == rim.end() && to != around.front().first) return std::nullopt;
     }
-    std::vector<FlatPart::Corner> cycle;
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      const auto [c, edge] = around[k];
-      if (around[(k + around.size() - 1) % around.size()].second == edge) continue;  // straight on
+    return around;
+  }
+
+  std::vector<FlatPart::Corner> corners_of(const Cycle& cycle, const std::set<int>& corners) const {
+    std::vector<FlatPart::Corner> result;
+    for (const auto& [c, edge] : cycle) {
+      if (!corners.contains(c)) continue;
       const PointName& name = arrangement_.name(c);
       CornerName corner{label(name[0]), label(name[1]), label(name[2])};
       std::sort(corner.begin(), corner.end());
-      cycle.push_back({corner, label(edge), arrangement_.place(c)});
+      result.push_back({corner, label(edge), arrangement_.place(c)});
     }
-    if (cycle.size() < 3) return std::nullopt;
-    return cycle;
+    return result;
   }
 
   const PlaneArrangement& arrangement_;

@@ -21,7 +21,7 @@ struct PlaneSheet {
   bool contact = false;                  ///< touches another sheet in an edge or a vertex
 };
 
-constexpr std::size_t max_cell_planes = 12;
+constexpr std::size_t max_cell_planes = 16;
 
 std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem);
 
