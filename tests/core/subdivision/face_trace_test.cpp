@@ -61,11 +61,31 @@ TEST(FaceTrace, OneArcAroundAnEdge) {
   EXPECT_NE(arc.surfaces[0], arc.surfaces[1]);
 }
 
-// A bar inside the face's outline leaves a closed curve: no arcs may be claimed.
-TEST(FaceTrace, AClosedCurveIsNotATrace) {
+/// Twice the area that the curve goes round counter-clockwise, seen from +x.
+double turned_area(const Arc& curve) {
+  double sum = 0;
+  for (std::size_t k = 0; k < curve.bends.size(); ++k) {
+    const Vec3 &p = curve.bends[k], &q = curve.bends[(k + 1) % curve.bends.size()];
+    sum += p.y() * q.z() - p.z() * q.y();
+  }
+  return sum;
+}
+
+void expect_closed(const Traced& t, double area) {
+  ASSERT_TRUE(t.arcs);
+  ASSERT_EQ(t.arcs->size(), 1u);
+  const Arc& curve = t.arcs->front();
+  EXPECT_TRUE(curve.closed);
+  EXPECT_EQ(curve.bends.size(), 4u);
+  EXPECT_EQ(curve.surfaces.size(), 4u);
+  EXPECT_NEAR(turned_area(curve), -2 * area, 1e-12) << "solid on the right: clockwise";
+}
+
+// A bar inside the face's outline leaves a closed curve.
+TEST(FaceTrace, ABarsSectionIsAClosedCurve) {
   Traced t;
   trace({box({1, 5.25, 5.25}, {31, 6.75, 6.75})}, Op::set_union, t);
-  EXPECT_FALSE(t.arcs);
+  expect_closed(t, 1.5 * 1.5);
 }
 
 TEST(FaceTrace, NoFacetsNoArcs) {
@@ -89,11 +109,27 @@ TEST(FaceTrace, CrossingPlatesJoinedGiveFourCorners) {
       << "solid on the right everywhere";
 }
 
-// Their intersection is a bar: a closed curve.
+// Their intersection is a bar: a closed curve, found by F-planes.
 TEST(FaceTrace, CrossingPlatesIntersectedAreClosed) {
   Traced t;
   trace({box({1, 5.25, 1}, {31, 6.75, 31}), box({1, 1, 5.5}, {31, 31, 6.5})}, Op::intersection, t);
-  EXPECT_FALSE(t.arcs);
+  expect_closed(t, 1.5 * 1.0);
+  EXPECT_EQ(t.statistics.face_planes, 1u);
+}
+
+// An edge of a bar lies in the other's wall y = 6: three lines through one point, which no arrangement can order. Below
+// z = 6 the tilted bar's section is a wedge that only touches the wall from outside.
+TEST(FaceTrace, ThreeLinesThroughAPointAreSectors) {
+  Mesh wedge = box({1, 0, 0}, {31, 3, 3});
+  for (Vec3& p : wedge.vertices) p = {p.x(), 6 - 0.8 * p.y() - 0.6 * p.z(), 6 + 0.6 * p.y() - 0.8 * p.z()};
+  std::reverse(wedge.triangles.begin(), wedge.triangles.end());
+  for (Triangle& t : wedge.triangles) std::swap(t[1], t[2]);
+  Traced t;
+  trace({box({1, 6, 1}, {31, 31, 31}), wedge}, Op::set_union, t);
+  ASSERT_TRUE(t.arcs);
+  EXPECT_GT(t.statistics.face_cone, 0u);
+  ASSERT_EQ(t.arcs->size(), 2u) << "inside joins only across a line: the wall's arc and the wedge's";
+  for (const Arc& arc : *t.arcs) EXPECT_TRUE(arc.concurrent && arc.contact);
 }
 
 // Two boxes share the wall y = 6: neither side of it is outside, so their union has no arc there.
