@@ -197,6 +197,7 @@ class Contourer {
         result.names.push_back(name_of(cell, a, n, a.reversed ? n - k : k));
       }
       result.gap = std::max(result.gap, arc.gap);
+      if (!a.arc->closed) result.shift += points_.move_of(a.reversed ? a.arc->end : a.arc->start) / static_cast<double>(loop.size());
     }
     return result;
   }

@@ -41,7 +41,7 @@ class FanMaker {
 
   // E is the cone from `tip`: the fan from there deviates as its loop does, and as its own tip was moved.
   Fan cone(const Vec3& tip) {
-    Vec3 wanted = tip;
+    Vec3 wanted = tip + loop_.shift;
     if (sheet_.contact && sheet_.shape == Sheet::Shape::corner) {
       const Vec3 inward = centroid_ - tip;
       if (inward.norm() > 0) wanted += inward * (pull_ / inward.norm());

@@ -1,5 +1,6 @@
 #include "contouring/flat_polygon.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -39,6 +40,15 @@ std::vector<Triangle> inside_triangles(Cdt& cdt, bool upward) {
   return triangles;
 }
 
+// A cycle that rounding turned around would be filled from its wrong side.
+bool bounded_by(const std::vector<Triangle>& triangles, const std::vector<RimEdge>& rim) {
+  std::vector<RimEdge> edges;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) edges.emplace_back(t[k], t[(k + 1) % 3]);
+  std::sort(edges.begin(), edges.end());
+  return std::all_of(rim.begin(), rim.end(), [&](const RimEdge& e) { return std::binary_search(edges.begin(), edges.end(), e); });
+}
+
 }  // namespace
 
 std::optional<std::vector<Triangle>> triangulate_flat(const std::vector<Vec3>& vertices, const std::vector<RimEdge>& rim) {
@@ -70,7 +80,9 @@ std::optional<std::vector<Triangle>> triangulate_flat(const std::vector<Vec3>& v
   std::size_t constrained = 0;
   for (auto e = cdt.finite_edges_begin(); e != cdt.finite_edges_end(); ++e) constrained += cdt.is_constrained(*e);
   if (constrained != rim.size()) return std::nullopt;
-  return inside_triangles(cdt, upward);
+  std::vector<Triangle> triangles = inside_triangles(cdt, upward);
+  if (!bounded_by(triangles, rim)) return std::nullopt;
+  return triangles;
 }
 
 }  // namespace starcell

@@ -98,7 +98,8 @@ void TracePoints::place() {
       return x.surface < y.surface;
     });
     const auto margin_of = [&](const Crossing& x) { return grid.margin(x.high - x.low); };
-    const auto gap = [&](std::size_t k) { return std::min(margin_of(crossings_[order[k]]), margin_of(crossings_[order[k + 1]])); };
+    const auto gap_of = [&](const Crossing& x) { return grid.gap(x.high - x.low); };
+    const auto gap = [&](std::size_t k) { return std::min(gap_of(crossings_[order[k]]), gap_of(crossings_[order[k + 1]])); };
     const auto limits = [&](const Crossing& x) {
       const double margin = margin_of(x);
       return std::pair(grid.coordinate(x.axis, x.low) + margin, grid.coordinate(x.axis, x.high) - margin);
@@ -116,7 +117,7 @@ void TracePoints::place() {
       at[k] = std::min(at[k], bound);
     }
     for (std::size_t k = 0; k < order.size(); ++k) {
-      moved_[order[k]] = std::abs(at[k] - crossings_[order[k]].at);
+      moved_[order[k]] = at[k] - crossings_[order[k]].at;
       crossings_[order[k]].at = at[k];
     }
     first = last;
@@ -134,6 +135,12 @@ std::uint32_t TracePoints::vertex_of(const Crossing& x) const {
   return static_cast<std::uint32_t>(std::lower_bound(crossings_.begin(), crossings_.end(), x) - crossings_.begin());
 }
 
+Vec3 TracePoints::move_of(const Crossing& x) const {
+  Vec3 move = Vec3::Zero();
+  move[x.axis] = moved_[vertex_of(x)];
+  return move;
+}
+
 void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedArc& drawn) {
   const Grid& grid = restriction_.grid();
   const std::uint32_t start = vertex_of(arc.start), end = vertex_of(arc.end);
@@ -141,7 +148,7 @@ void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<s
   std::size_t previous = 0;
   const double margin = grid.margin(face.size);
   const double exact = 1e-12 * std::max(vertices_[start].cwiseAbs().maxCoeff(), grid.unit);
-  std::vector<double> moves{moved_[start]};
+  std::vector<double> moves{std::abs(moved_[start])};
   for (const std::size_t bend : kept) {
     Vec3 p = arc.bends[bend];
     const Vec3 low = grid.point(face.corner(0, 0)), high = grid.point(face.corner(1, 1));
@@ -155,7 +162,7 @@ void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<s
   }
   drawn.surfaces.push_back(previous == arc.bends.size() ? arc.surfaces.back() : no_surface);
   drawn.vertices.push_back(end);
-  moves.push_back(moved_[end]);
+  moves.push_back(std::abs(moved_[end]));
   double moved = 0;
   for (std::size_t k = 0; k < drawn.surfaces.size(); ++k) {
     if (moves[k] > exact || moves[k + 1] > exact || arc.contact) drawn.surfaces[k] = no_surface;

@@ -33,6 +33,9 @@ class TracePoints {
   /// The arcs of one minimal face, bends thinned to within `tolerance` (0: all stay). False if they cannot be drawn disjointly.
   bool draw(const Face& face, const std::vector<const Arc*>& arcs, double tolerance, std::vector<TracedArc>& drawn);
 
+  /// How a crossing was moved.
+  Vec3 move_of(const Crossing& x) const;
+
  private:
   std::uint32_t vertex_of(const Crossing& x) const;
   bool disjoint(const Face& face, const std::vector<TracedArc>& arcs, bool rounded) const;
@@ -42,7 +45,7 @@ class TracePoints {
   const Restriction& restriction_;
   std::vector<Vec3>& vertices_;
   std::vector<Crossing> crossings_;      // sorted, unique, after place()
-  std::vector<double> moved_;
+  std::vector<double> moved_;            // along their lines
 };
 
 }  // namespace starcell

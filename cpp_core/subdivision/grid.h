@@ -28,8 +28,10 @@ struct Grid {
   double length(std::uint32_t size) const { return unit * static_cast<double>(size); }
   /// Room for a point on an edge or a face of this size: two float32 steps where the size allows.
   double margin(std::uint32_t size) const { return std::min(2 * step, length(size) / 16); }
-  /// Is the size large enough for points to be kept apart in float32 too?
-  bool holds_floats(std::uint32_t size) const { return length(size) >= 32 * step; }
+  /// How far apart crossings of one line are kept: enough for the sheets through them to stay apart in float32.
+  double gap(std::uint32_t size) const { return std::min(8 * step, length(size) / 16); }
+  /// Is the size large enough for sheets to be kept apart in float32 too, at a cost that is worth it?
+  bool holds_floats(std::uint32_t size) const { return length(size) >= 512 * step; }
   Vec3 point(const GridPoint& p) const { return {coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2])}; }
 };
 
