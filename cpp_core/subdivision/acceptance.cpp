@@ -161,9 +161,9 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
   return true;
 }
 
-bool Acceptance::trace_faces(const CellProblem& problem, Leaf& leaf) const {
+bool Acceptance::trace_faces(const CellProblem& problem, const LocalPlanes& local, Leaf& leaf) const {
   for (int side = 0; side < 6; ++side) {
-    auto arcs = trace_face(restriction_, problem, problem.facets, face_of(problem.cell, side), settings_.pull, statistics_);
+    auto arcs = trace_face(restriction_, problem, problem.facets, face_of(problem.cell, side), settings_.pull, local, statistics_);
     if (!arcs) return false;
     leaf.arcs[side] = std::move(*arcs);
     for (const Arc& arc : leaf.arcs[side]) leaf.contact = leaf.contact || arc.concurrent;
@@ -177,7 +177,7 @@ bool Acceptance::trace_faces(const CellProblem& problem, Leaf& leaf) const {
 bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   const FacetTable& table = restriction_.table();
   const auto cone = concurrent_sheet(restriction_, box, surfaces_of(table, problem.facets), vertices_inside(table, problem.facets, box));
-  if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, leaf)) return false;
+  if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, LocalPlanes(), leaf)) return false;
   const auto loops = leaf_loops(leaf);
   if (!loops) return false;
   leaf.contact = true;
@@ -197,7 +197,8 @@ bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& 
 }
 
 bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  if (accept_planes(problem, box, leaf) || accept_cone(problem, box, leaf = Leaf())) return true;
+  if (accept_planes(problem, box, leaf) || accept_thin(problem, box, leaf = Leaf())) return true;
+  if (accept_cone(problem, box, leaf = Leaf())) return true;
   return accept_star(problem, box, leaf = Leaf());
 }
 
@@ -221,10 +222,44 @@ bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf
     leaf.contact = leaf.contact || plane_sheet.contact;
     leaf.sheets.push_back(std::move(*sheet));
   }
-  if (!leaf.sheets.empty() && !trace_faces(problem, leaf)) return false;
+  if (!leaf.sheets.empty() && !trace_faces(problem, LocalPlanes(), leaf)) return false;
   count(statistics_.voxel_planes);
   const FacetTable& table = restriction_.table();
   for (const std::uint32_t id : surfaces_of(table, problem.facets)) leaf.contact = leaf.contact || table.surfaces[id].shared;
+  return true;
+}
+
+// V-planes where some planes are one as far as the cell can tell: topology only, so the cell's size has to bound the rest.
+bool Acceptance::accept_thin(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+  if (!small_enough(box)) return false;
+  const FacetTable& table = restriction_.table();
+  const LocalPlanes local(table, problem.facets, box);
+  if (local.empty()) return false;
+  const auto sheets = plane_sheets(restriction_, problem, local);
+  if (!sheets || (!sheets->empty() && !trace_faces(problem, local, leaf))) return false;
+  for (const PlaneSheet& plane_sheet : *sheets) {
+    Sheet sheet;
+    sheet.contact = plane_sheet.contact;
+    leaf.contact = leaf.contact || plane_sheet.contact;
+    // The arcs carry the surface that a grid line really meets, V-planes the one that stands for it.
+    for (const auto& arcs : leaf.arcs)
+      for (const Arc& arc : arcs)
+        for (const Crossing* x : {&arc.start, &arc.end}) {
+          Crossing named = *x;
+          named.surface = local.of(x->surface);
+          const auto& known = plane_sheet.crossings;
+          if (!arc.closed && std::binary_search(known.begin(), known.end(), named)) sheet.crossings.push_back(*x);
+        }
+    std::sort(sheet.crossings.begin(), sheet.crossings.end());
+    sheet.crossings.erase(std::unique(sheet.crossings.begin(), sheet.crossings.end()), sheet.crossings.end());
+    leaf.sheets.push_back(std::move(sheet));
+  }
+  for (auto& arcs : leaf.arcs)
+    for (Arc& arc : arcs)
+      for (std::uint32_t& surface : arc.surfaces)
+        if (!local.alone(surface)) surface = no_surface;
+  for (const std::uint32_t id : surfaces_of(table, problem.facets)) leaf.contact = leaf.contact || table.surfaces[id].shared;
+  count(statistics_.voxel_planes);
   return true;
 }
 
@@ -233,7 +268,7 @@ bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& 
   if (!small_enough(box) || problem.facets.size() > most_star_facets) return false;
   if (worth_isolating(surfaces_of(restriction_.table(), problem.facets), box)) return false;
   const auto direction = star_direction(restriction_, problem, statistics_);
-  if (!direction || !trace_faces(problem, leaf)) return false;
+  if (!direction || !trace_faces(problem, LocalPlanes(), leaf)) return false;
   const auto loops = star_loops(leaf, *direction);
   if (!loops) return false;
   for (const auto& crossings : *loops) {
@@ -246,7 +281,7 @@ bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& 
 }
 
 bool Acceptance::accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  if (!trace_faces(problem, leaf)) return false;
+  if (!trace_faces(problem, LocalPlanes(), leaf)) return false;
   if (!satisfies_complex_cell(restriction_, problem, leaf, statistics_)) return false;
   if (std::all_of(leaf.arcs.begin(), leaf.arcs.end(), [](const auto& arcs) { return arcs.empty(); })) return true;
   if (!small_enough(box)) return false;
@@ -266,7 +301,7 @@ Leaf Acceptance::give_up(CellProblem& problem) const {
     const Face face = face_of(problem.cell, side);
     std::optional<std::vector<Arc>> arcs;
     if (problem.slots() <= max_slots)
-      arcs = trace_face(restriction_, problem, problem.facets, face, settings_.pull, statistics_);
+      arcs = trace_face(restriction_, problem, problem.facets, face, settings_.pull, LocalPlanes(), statistics_);
     leaf.arcs[side] = arcs ? std::move(*arcs) : force_face(restriction_, problem, face);
   }
   leaf.problem = std::move(problem);

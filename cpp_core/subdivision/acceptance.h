@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "subdivision/leaf.h"
+#include "subdivision/local_planes.h"
 #include "subdivision/settings.h"
 #include "subdivision/statistics.h"
 
@@ -40,7 +41,8 @@ class Acceptance {
   bool accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
-  bool trace_faces(const CellProblem& problem, Leaf& leaf) const;
+  bool accept_thin(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool trace_faces(const CellProblem& problem, const LocalPlanes& local, Leaf& leaf) const;
   bool small_enough(const Box3& box) const;
   bool worth_isolating(const std::vector<std::uint32_t>& surfaces, const Box3& box) const;
 

@@ -31,18 +31,16 @@ bool find_ends(FaceLine& line, double size) {
 bool make_lines(const FaceProblem& in, FaceLines& result) {
   const FacetTable& table = in.restriction.table();
   std::vector<std::uint32_t> surfaces;
-  for (const Piece& p : in.pieces) surfaces.push_back(p.surface);
+  for (const Piece& p : in.pieces) surfaces.push_back(in.planes.of(p.surface));
   std::sort(surfaces.begin(), surfaces.end());
   surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
   for (const std::uint32_t id : surfaces) {
-    const Surface& s = table.surfaces[id];
     FaceLine line;
     line.surface = id;
-    line.nb = Interval(s.normal[in.face.b_axis()]);
-    line.nc = Interval(s.normal[in.face.c_axis()]);
-    Interval dot = Interval(0.0);
-    for (int k = 0; k < 3; ++k) dot += Interval(s.normal[k]) * Interval(result.low[k]);
-    line.d = Interval(s.offset) - dot + Interval(-s.thickness, s.thickness);
+    Interval n[3];
+    in.planes.enclose(table, id, result.low, n, line.d);
+    line.nb = n[in.face.b_axis()];
+    line.nc = n[in.face.c_axis()];
     if (!find_ends(line, result.size)) return false;
     result.lines.push_back(std::move(line));
   }
@@ -88,14 +86,17 @@ int FaceLines::line_of(std::uint32_t surface) const {
 
 Crossing FaceLines::crossing(const FaceProblem& in, int line, bool start) const {
   const FaceLine& l = lines[line];
-  return side_crossing(in.restriction.table(), in.restriction.grid(), in.face, side_name[start ? l.start_side : l.end_side],
-                       l.surface);
+  const int side = side_name[start ? l.start_side : l.end_side];
+  std::uint32_t surface = l.surface;
+  if (!in.planes.empty())
+    for (const Piece& p : in.pieces)
+      if ((p.from.side == side || p.to.side == side) && in.planes.of(p.surface) == l.surface) surface = p.surface;
+  return side_crossing(in.restriction.table(), in.restriction.grid(), in.face, side, surface);
 }
 
 bool FaceLines::cover(const FaceProblem& in, const std::function<int(const FaceLine&, const PieceEnd&)>& boundary) {
-  const FacetTable& table = in.restriction.table();
   const auto goes_on = [&](const Piece& p, const PieceEnd& end) {
-    return end.side < 0 && table.surface[end.neighbour] == p.surface;
+    return end.side < 0 && in.surface_of(end.neighbour) == in.planes.of(p.surface);
   };
   for (FaceLine& line : lines) line.covered.assign(line.others.size() + 1, 0);
   std::size_t used = 0;
@@ -109,7 +110,7 @@ bool FaceLines::cover(const FaceProblem& in, const std::function<int(const FaceL
       if (it == in.pieces.end() || it->facet != last->to.neighbour || ++used > in.pieces.size()) return false;
       last = &*it;
     }
-    FaceLine& line = lines[line_of(first.surface)];
+    FaceLine& line = lines[line_of(in.planes.of(first.surface))];
     int from = boundary(line, first.from), to = boundary(line, last->to);
     if (from < 0 || to < 0 || from == to) return false;
     if (from > to) std::swap(from, to);
@@ -120,7 +121,7 @@ bool FaceLines::cover(const FaceProblem& in, const std::function<int(const FaceL
 
 std::uint32_t facet_on(const FaceProblem& in, std::uint32_t surface) {
   for (const Piece& p : in.pieces)
-    if (p.surface == surface) return p.facet;
+    if (in.planes.of(p.surface) == surface) return p.facet;
   return 0;
 }
 

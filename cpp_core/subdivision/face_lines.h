@@ -9,6 +9,7 @@
 
 #include "numerics/interval.h"
 #include "subdivision/face_pieces.h"
+#include "subdivision/local_planes.h"
 
 namespace starcell {
 
@@ -18,6 +19,9 @@ struct FaceProblem {
   const Face& face;
   const std::vector<Piece>& pieces;
   double pull;   ///< how far sheets of E in contact are pulled apart
+  const LocalPlanes& planes;
+
+  std::uint32_t surface_of(std::uint32_t facet) const { return planes.of(restriction.table().surface[facet]); }
 };
 
 struct FaceLine {
@@ -49,7 +53,7 @@ struct FaceLines {
   std::vector<LineEnd> ends;     ///< in the order of the walk
 
   int line_of(std::uint32_t surface) const;
-  /// A crossing of the face's rim, from an end.
+  /// A crossing of the face's rim, from an end: that of the facet which crosses there.
   Crossing crossing(const FaceProblem& problem, int line, bool start) const;
   /// Marks the sub-segments that facets cover, coplanar neighbours run together. `boundary` says which boundary between
   /// sub-segments a piece's end on a line is (0: the line's start), or -1. False if the pieces do not fit the lines.

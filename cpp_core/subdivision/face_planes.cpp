@@ -82,7 +82,7 @@ class Arrangement {
       if (end.side == side_name[line.end_side]) return static_cast<int>(line.others.size()) + 1;
       return -1;
     }
-    const int other = face_.line_of(in_.restriction.table().surface[end.neighbour]);
+    const int other = face_.line_of(in_.surface_of(end.neighbour));
     const int at = other < 0 ? -1 : position(line, other);
     return at < 0 ? -1 : at + 1;
   }

@@ -14,8 +14,9 @@ constexpr int max_splits = 5;
 
 class FaceTracer {
  public:
-  FaceTracer(const Restriction& restriction, const CellProblem& problem, double pull, Statistics& statistics)
-      : restriction_(restriction), problem_(problem), pull_(pull), statistics_(statistics) {}
+  FaceTracer(const Restriction& restriction, const CellProblem& problem, double pull, const LocalPlanes& planes,
+             Statistics& statistics)
+      : restriction_(restriction), problem_(problem), pull_(pull), planes_(planes), statistics_(statistics) {}
 
   std::optional<std::vector<Arc>> trace(const std::vector<std::uint32_t>& facets, const Face& face, int splits) {
     const std::vector<Piece> pieces = face_pieces(restriction_, problem_, facets, face);
@@ -24,11 +25,11 @@ class FaceTracer {
     const bool alone = std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.slot == slot; });
     if (alone) return trace_one_solid(face, pieces, slot);
     if (line_count(pieces) <= max_lines) {
-      if (auto arcs = arrange_pieces({restriction_, problem_, face, pieces, pull_})) {
+      if (auto arcs = arrange_pieces({restriction_, problem_, face, pieces, pull_, planes_})) {
         count(statistics_.face_planes);
         return arcs;
       }
-      if (auto arcs = cone_pieces({restriction_, problem_, face, pieces, pull_})) {
+      if (auto arcs = cone_pieces({restriction_, problem_, face, pieces, pull_, planes_})) {
         count(statistics_.face_cone);
         return arcs;
       }
@@ -38,9 +39,9 @@ class FaceTracer {
   }
 
  private:
-  static std::size_t line_count(const std::vector<Piece>& pieces) {
+  std::size_t line_count(const std::vector<Piece>& pieces) const {
     std::vector<std::uint32_t> surfaces;
-    for (const Piece& p : pieces) surfaces.push_back(p.surface);
+    for (const Piece& p : pieces) surfaces.push_back(planes_.of(p.surface));
     std::sort(surfaces.begin(), surfaces.end());
     return static_cast<std::size_t>(std::unique(surfaces.begin(), surfaces.end()) - surfaces.begin());
   }
@@ -116,6 +117,7 @@ class FaceTracer {
   const Restriction& restriction_;
   const CellProblem& problem_;
   double pull_;
+  const LocalPlanes& planes_;
   Statistics& statistics_;
 };
 
@@ -123,8 +125,8 @@ class FaceTracer {
 
 std::optional<std::vector<Arc>> trace_face(const Restriction& restriction, const CellProblem& problem,
                                            const std::vector<std::uint32_t>& facets, const Face& face, double pull,
-                                           Statistics& statistics) {
-  return FaceTracer(restriction, problem, pull, statistics).trace(facets, face, 0);
+                                           const LocalPlanes& planes, Statistics& statistics) {
+  return FaceTracer(restriction, problem, pull, planes, statistics).trace(facets, face, 0);
 }
 
 }  // namespace starcell

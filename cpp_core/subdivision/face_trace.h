@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "subdivision/cell_problem.h"
+#include "subdivision/local_planes.h"
 #include "subdivision/statistics.h"
 #include "subdivision/trace.h"
 
@@ -16,6 +17,6 @@ namespace starcell {
 /// Arcs and closed curves of E on the face, or none: "don't know". `facets` ascending, of the problem.
 std::optional<std::vector<Arc>> trace_face(const Restriction& restriction, const CellProblem& problem,
                                            const std::vector<std::uint32_t>& facets, const Face& face, double pull,
-                                           Statistics& statistics);
+                                           const LocalPlanes& planes, Statistics& statistics);
 
 }  // namespace starcell

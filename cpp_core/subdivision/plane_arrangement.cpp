@@ -19,8 +19,7 @@ Interval det(const Interval& a, const Interval& b, const Interval& c, const Inte
 }  // namespace
 
 bool PlaneArrangement::build(std::size_t max_planes) {
-  const FacetTable& table = restriction_.table();
-  for (const std::uint32_t f : problem_.facets) surfaces_.push_back(table.surface[f]);
+  for (const std::uint32_t f : problem_.facets) surfaces_.push_back(surface_of(f));
   std::sort(surfaces_.begin(), surfaces_.end());
   surfaces_.erase(std::unique(surfaces_.begin(), surfaces_.end()), surfaces_.end());
   if (surfaces_.size() > max_planes) return false;
@@ -36,14 +35,8 @@ bool PlaneArrangement::build(std::size_t max_planes) {
 void PlaneArrangement::make_planes() {
   const double size = restriction_.grid().unit * problem_.cell.size;
   for (const std::uint32_t id : surfaces_) {
-    const Surface& s = restriction_.table().surfaces[id];
     Plane p;
-    Interval dot(0.0);
-    for (int k = 0; k < 3; ++k) {
-      p.n[k] = Interval(s.normal[k]);
-      dot += p.n[k] * Interval(box_.min()[k]);
-    }
-    p.d = Interval(s.offset) - dot + Interval(-s.thickness, s.thickness);
+    local_.enclose(restriction_.table(), id, box_.min(), p.n, p.d);
     planes_.push_back(p);
   }
   for (int side = 0; side < 6; ++side) {
@@ -197,7 +190,7 @@ bool PlaneArrangement::keep_boundary() {
     if (flips == 0) continue;
     const std::uint32_t surface = surfaces_[polygon.plane];
     const auto around = restriction_.mask_near(
-        problem_, world, 0.0, [&](std::uint32_t f) { return restriction_.table().surface[f] == surface; });
+        problem_, world, 0.0, [&](std::uint32_t f) { return surface_of(f) == surface; });
     if (!around) return false;
     const bool corner_side = problem_.expression.value(*around);
     if (corner_side == problem_.expression.value(*around ^ flips)) continue;
@@ -234,7 +227,7 @@ Membership PlaneArrangement::covering(int plane, const Vec3& x) const {
   const Vec2 at = project(x, axis);
   Membership mask = 0;
   for (const std::uint32_t f : problem_.facets) {
-    if (table.surface[f] != surfaces_[plane]) continue;
+    if (surface_of(f) != surfaces_[plane]) continue;
     const Vec2 p = project(table.corner(f, 0), axis), q = project(table.corner(f, 1), axis),
                r = project(table.corner(f, 2), axis);
     const int s = turn_grid(p, q, at, a, b);

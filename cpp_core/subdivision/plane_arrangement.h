@@ -6,8 +6,7 @@
 
 #include <map>
 
-#include "numerics/interval.h"
-#include "subdivision/cell_problem.h"
+#include "subdivision/local_planes.h"
 
 namespace starcell {
 
@@ -25,8 +24,8 @@ struct PlanePolygon {
 
 class PlaneArrangement {
  public:
-  PlaneArrangement(const Restriction& restriction, const CellProblem& problem)
-      : restriction_(restriction), problem_(problem), box_(box_of(restriction.grid(), problem.cell)) {}
+  PlaneArrangement(const Restriction& restriction, const CellProblem& problem, const LocalPlanes& local)
+      : restriction_(restriction), problem_(problem), local_(local), box_(box_of(restriction.grid(), problem.cell)) {}
 
   /// Cuts every plane by all others and keeps the polygons of E. False: too many planes, or some sign is uncertain.
   bool build(std::size_t max_planes);
@@ -56,9 +55,11 @@ class PlaneArrangement {
   bool keep_boundary();
   bool certainly_inside(const PlanePolygon& polygon, const Vec3& middle);
   Membership covering(int plane, const Vec3& x) const;
+  std::uint32_t surface_of(std::uint32_t facet) const { return local_.of(restriction_.table().surface[facet]); }
 
   const Restriction& restriction_;
   const CellProblem& problem_;
+  const LocalPlanes& local_;
   const Box3 box_;
   std::vector<std::uint32_t> surfaces_;
   std::vector<Plane> planes_;

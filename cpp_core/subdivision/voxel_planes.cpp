@@ -222,8 +222,9 @@ class Gluing {
 
 }  // namespace
 
-std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem) {
-  PlaneArrangement arrangement(restriction, problem);
+std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem,
+                                                    const LocalPlanes& local) {
+  PlaneArrangement arrangement(restriction, problem, local);
   if (!arrangement.build(max_cell_planes)) return std::nullopt;
   return Gluing(arrangement, problem).glue();
 }

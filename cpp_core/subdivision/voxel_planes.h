@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "subdivision/leaf.h"
+#include "subdivision/local_planes.h"
 
 namespace starcell {
 
@@ -23,6 +24,7 @@ struct PlaneSheet {
 
 constexpr std::size_t max_cell_planes = 16;
 
-std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem);
+std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem,
+                                                    const LocalPlanes& local = LocalPlanes());
 
 }  // namespace starcell
