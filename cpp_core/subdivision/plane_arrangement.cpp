@@ -132,6 +132,7 @@ bool PlaneArrangement::cut_plane(int i) {
   PlanePolygon whole;
   if (!start_polygon(i, whole)) return false;
   if (whole.corner.empty()) return true;
+  whole.side.assign(surfaces_.size(), 0);
   std::vector<PlanePolygon> parts{std::move(whole)}, next;
   for (int j = 0; j < count(); ++j) {
     if (j == i) continue;
@@ -154,12 +155,15 @@ bool PlaneArrangement::split(PlanePolygon& part, int j, std::vector<PlanePolygon
     (sign[k] > 0 ? above : under) = true;
   }
   if (!above || !under) {
+    part.side[j] = above ? 1 : -1;
     out.push_back(std::move(part));
     return true;
   }
   for (const int keep : {1, -1}) {
     PlanePolygon half;
     half.plane = part.plane;
+    half.side = part.side;
+    half.side[j] = static_cast<signed char>(keep);
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t next = (k + 1) % n;
       if (sign[k] == keep) {
@@ -209,12 +213,8 @@ bool PlaneArrangement::certainly_inside(const PlanePolygon& polygon, const Vec3&
     for (int j = 0; j < count(); ++j) corner_sign_.push_back(certain_sign(-planes_[j].d));
   for (int j = 0; j < count() + 6; ++j) {
     if (j == polygon.plane) continue;
-    const int sign = certain_sign(value(planes_[j], x));
-    if (sign == 0) return false;
-    for (const int c : polygon.corner)
-      if (names_[c][0] != j && names_[c][1] != j && names_[c][2] != j &&
-          certain_sign(value(planes_[j], points_[c])) == -sign)
-        return false;
+    const int inside = j < count() ? polygon.side[j] : (j - count()) % 2 ? -1 : 1;  // of the cell's sides
+    if (certain_sign(value(planes_[j], x)) != inside) return false;
   }
   return true;
 }
@@ -235,16 +235,6 @@ Membership PlaneArrangement::covering(int plane, const Vec3& x) const {
       mask ^= Membership{1} << restriction_.slot_of(problem_, f);
   }
   return mask;
-}
-
-bool PlaneArrangement::above(const PlanePolygon& polygon, int plane) const {
-  for (const int c : polygon.corner) {
-    const PointName& name = names_[c];
-    if (name[0] == plane || name[1] == plane || name[2] == plane) continue;
-    const Rounding rounding;
-    return certain_sign(value(planes_[plane], points_[c])) > 0;
-  }
-  return false;
 }
 
 }  // namespace starcell

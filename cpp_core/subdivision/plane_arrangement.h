@@ -19,6 +19,7 @@ struct PlanePolygon {
   int plane = 0;
   std::vector<int> corner;   ///< indices of points
   std::vector<int> edge;
+  std::vector<signed char> side;  ///< per plane: which side of it the polygon lies on; 0 for its own
   bool positive_inside = false;   ///< E's solid is on the plane's positive side
 };
 
@@ -36,7 +37,7 @@ class PlaneArrangement {
   const PointName& name(int point) const { return names_[point]; }
   Vec3 place(int point) const { return points_[point].middle() + box_.min(); }
   /// Is the polygon on the positive side of a plane that does not carry it?
-  bool above(const PlanePolygon& polygon, int plane) const;
+  static bool above(const PlanePolygon& polygon, int plane) { return polygon.side[plane] > 0; }
 
  private:
   struct Plane {
