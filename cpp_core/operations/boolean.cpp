@@ -218,8 +218,9 @@ class Evaluation {
     AcceptanceSettings settings;
     settings.pull = std::min(0.5 * tolerances_.contact, std::max(0.125 * tolerances_.contact, 16 * grid.step));
     settings.error = tolerances_.cells - 2 * table.thickest - moved;
-    // Moved operands cross their own edges at the scale of the move: nothing there is exact in any case.
-    if (moved > 0) settings.smallest_feature = settings.error;
+    // Where V-planes cannot tell a feature's planes apart, smaller cells seldom help. And moved operands cross their own
+    // edges at the scale of the move: nothing there is exact in any case.
+    settings.smallest_feature = moved > 0 ? settings.error : 0.25 * settings.error;
     settings.criterion = options_.criterion;
     return settings;
   }
