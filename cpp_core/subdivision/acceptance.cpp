@@ -176,6 +176,7 @@ bool Acceptance::trace_faces(const CellProblem& problem, const LocalPlanes& loca
 // and rounding: an input moved by that much, hence a contact.
 bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   const FacetTable& table = restriction_.table();
+  if (!LocalPlanes(table, problem.facets, box).empty()) return false;   // not concurrent: nearly one plane
   const auto cone = concurrent_sheet(restriction_, box, surfaces_of(table, problem.facets), vertices_inside(table, problem.facets, box));
   if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, LocalPlanes(), leaf)) return false;
   const auto loops = leaf_loops(leaf);

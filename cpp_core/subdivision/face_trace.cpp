@@ -29,7 +29,7 @@ class FaceTracer {
         count(statistics_.face_planes);
         return arcs;
       }
-      if (auto arcs = cone_pieces({restriction_, problem_, face, pieces, pull_, planes_})) {
+      if (auto arcs = trace_cone(face, pieces)) {
         count(statistics_.face_cone);
         return arcs;
       }
@@ -44,6 +44,16 @@ class FaceTracer {
     for (const Piece& p : pieces) surfaces.push_back(planes_.of(p.surface));
     std::sort(surfaces.begin(), surfaces.end());
     return static_cast<std::size_t>(std::unique(surfaces.begin(), surfaces.end()) - surfaces.begin());
+  }
+
+  // Planes that are nearly one are no concurrent ones: smaller cells tell them apart from what crosses them.
+  std::optional<std::vector<Arc>> trace_cone(const Face& face, const std::vector<Piece>& pieces) const {
+    std::vector<std::uint32_t> facets;
+    for (const Piece& p : pieces) facets.push_back(p.facet);
+    const Grid& grid = restriction_.grid();
+    const Box3 box(grid.point(face.corner(0, 0)), grid.point(face.corner(1, 1)));
+    if (!LocalPlanes(restriction_.table(), facets, box).empty()) return std::nullopt;
+    return cone_pieces({restriction_, problem_, face, pieces, pull_, planes_});
   }
 
   // No other solid's surface reaches the face, so membership in the others is that of any of its corners.
