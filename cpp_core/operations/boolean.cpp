@@ -124,6 +124,7 @@ class Evaluation {
     std::vector<Graze> suspects;   // unresolved cells that several operands reach
     double operands_moved = 0;
     std::size_t leaves = 0;
+    bool exhausted = false;        // a budget ran out: another try would only cost more
     bool grazes = false;           // exactness was lost to the position of the grid
   };
 
@@ -138,7 +139,7 @@ class Evaluation {
     Run best = subdivide(table, moved);
     // What stayed open at the smallest cells may be a contact that no vertex or edge showed: any other position of the
     // operands is as good within the contact tolerance, and a generic one comes to an end.
-    for (int retry = 1; retry <= most_retries && !best.unresolved.empty() && !best.suspects.empty(); ++retry) {
+    for (int retry = 1; retry <= most_retries && !best.unresolved.empty() && !best.suspects.empty() && !best.exhausted; ++retry) {
       std::vector<Graze> all = grazes;
       all.insert(all.end(), best.suspects.begin(), best.suspects.end());
       moved = move_apart(table, all, identical, retry);
@@ -194,6 +195,7 @@ class Evaluation {
     c.statistics["seconds.contour"] += watch_.lap();
     c.statistics["grid_attempts"] += 1;
     run.grazes = grazes_grid(tree, run.contour);
+    run.exhausted = subdivision.exhausted();
     report(tree, table, run);
     return run;
   }
@@ -232,6 +234,7 @@ class Evaluation {
     limits.max_cells = options_.budget.max_cells;
     limits.max_bytes = options_.budget.max_bytes;
     limits.max_seconds = options_.budget.max_seconds;
+    limits.deep_size = static_cast<std::uint32_t>(std::min(256 * grid.step / grid.unit, 1e9));
     return limits;
   }
 

@@ -47,7 +47,7 @@ Octree Subdivision::build(CellProblem root) {
 
 bool Subdivision::refine(Octree& tree, const Cell& cell) {
   OctreeNode& node = *tree.node_of(cell);
-  if (cell.level >= limits_.max_level || exhausted()) {
+  if (too_deep(cell) || exhausted()) {
     node.leaf->resolved = false;
     return false;
   }
@@ -64,6 +64,11 @@ bool Subdivision::exhausted() const {
   if (std::isinf(limits_.max_seconds)) return false;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   return elapsed.count() > limits_.max_seconds;
+}
+
+bool Subdivision::too_deep(const Cell& cell) const {
+  return cell.level >= limits_.max_level ||
+         (cell.size < limits_.deep_size && deep_.load(std::memory_order_relaxed) > limits_.max_deep);
 }
 
 void Subdivision::visit(OctreeNode& node, CellProblem problem, bool must_split) {
@@ -91,7 +96,8 @@ void Subdivision::visit(OctreeNode& node, CellProblem problem, bool must_split) 
       reporter_.advance(share);
       return;
     }
-    if (problem.cell.level >= limits_.max_level || exhausted()) {
+    if (problem.cell.size < limits_.deep_size) deep_.fetch_add(1, std::memory_order_relaxed);
+    if (too_deep(problem.cell) || exhausted()) {
       count(statistics_.leaves);
       node.leaf = std::make_unique<Leaf>(acceptance_.give_up(problem));
       reporter_.advance(share);

@@ -18,6 +18,8 @@ struct SubdivisionLimits {
   std::size_t max_cells = 0;
   std::size_t max_bytes = 0;
   double max_seconds = 0;
+  std::uint32_t deep_size = 0;      ///< cells below this size are deep: where generic inputs need few
+  std::size_t max_deep = 50000;     ///< more of them are a contact along a line or a face: no deeper cell is split
 };
 
 /// Reports progress and learns about cancellation, at most every few milliseconds, from one thread at a time.
@@ -54,9 +56,12 @@ class Subdivision {
   /// False if it is as small as cells may be: the leaf is then unresolved.
   bool refine(Octree& tree, const Cell& cell);
 
+  /// Has a budget (not the depth) run out?
+  bool exhausted() const;
+
  private:
   void visit(OctreeNode& node, CellProblem problem, bool must_split);
-  bool exhausted() const;
+  bool too_deep(const Cell& cell) const;
 
   const Restriction& restriction_;
   Acceptance acceptance_;
@@ -64,7 +69,7 @@ class Subdivision {
   Statistics& statistics_;
   Reporter& reporter_;
   std::chrono::steady_clock::time_point start_;
-  std::atomic<std::size_t> bytes_{0};
+  std::atomic<std::size_t> bytes_{0}, deep_{0};
 };
 
 }  // namespace starcell
