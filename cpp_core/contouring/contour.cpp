@@ -29,7 +29,7 @@ bool has_cone(const Leaf& leaf) {
 class Contourer {
  public:
   Contourer(const Restriction& restriction, const Octree& tree, const ContourSettings& settings)
-      : restriction_(restriction), tree_(tree), settings_(settings), points_(restriction, result_.mesh.vertices) {}
+      : restriction_(restriction), tree_(tree), settings_(settings), points_(restriction, settings.relaxed, result_.mesh.vertices) {}
 
   Contour make() {
     const std::vector<Leaf*> leaves = tree_.leaves();
@@ -137,8 +137,17 @@ class Contourer {
     for (std::size_t a = 0; a < fans.size() && good; ++a)
       for (std::size_t b = a + 1; b < fans.size() && good; ++b)
         good = !fans_meet(result_.mesh.vertices, triangles + fans[a].first, fans[a].second, triangles + fans[b].first,
-                          fans[b].second, restriction_.grid().holds_floats(cell.size));
+                          fans[b].second, holds_floats(cell));
     if (!good) result_.failed.push_back(cell);
+  }
+
+  bool holds_floats(const Cell& cell) const {
+    return restriction_.grid().holds_floats(cell.size) && !settings_.relaxed.touch(cell);
+  }
+
+  double margin_in(const Cell& cell) const {
+    const Grid& grid = restriction_.grid();
+    return settings_.relaxed.touch(cell) ? grid.least_gap() : grid.margin(cell.size);
   }
 
   // Appends what stands for one sheet; false if it does not serve.
@@ -148,15 +157,15 @@ class Contourer {
     const Box3 box = box_of(grid, cell);
     if (sheet.shape == Sheet::Shape::flats) {
       const std::size_t first = result_.mesh.triangles.size();
-      const auto made = emit_flats(box, sheet, loop, grid.margin(cell.size), result_.mesh);
+      const auto made = emit_flats(box, sheet, loop, margin_in(cell), result_.mesh);
       if (made) {
         result_.bound = std::max(result_.bound, made->bound);
         return made->bound <= settings_.error &&
                !sheet_folds(result_.mesh.vertices, result_.mesh.triangles.data() + first, result_.mesh.triangles.size() - first,
-                            grid.holds_floats(cell.size));
+                            holds_floats(cell));
       }
     }
-    const Fan fan = make_fan(restriction_.table(), box, sheet, loop, result_.mesh.vertices, grid.margin(cell.size), settings_.pull);
+    const Fan fan = make_fan(restriction_.table(), box, sheet, loop, result_.mesh.vertices, margin_in(cell), settings_.pull);
     result_.bound = std::max(result_.bound, fan.bound);
     emit(loop, fan);
     return fan.bound <= settings_.error;

@@ -7,6 +7,7 @@
 
 #include <functional>
 
+#include "contouring/relaxed_cells.h"
 #include "contouring/surface_mesh.h"
 #include "subdivision/octree.h"
 
@@ -15,6 +16,7 @@ namespace starcell {
 struct ContourSettings {
   double error = 0;
   double pull = 0;
+  RelaxedCells relaxed;
   std::function<void()> poll;   ///< called now and then; throws to stop
 };
 

@@ -97,8 +97,8 @@ void TracePoints::place() {
       if (x.at != y.at) return x.at < y.at;
       return x.surface < y.surface;
     });
-    const auto margin_of = [&](const Crossing& x) { return grid.margin(x.high - x.low); };
-    const auto gap_of = [&](const Crossing& x) { return grid.gap(x.high - x.low); };
+    const auto margin_of = [&](const Crossing& x) { return relaxed_.touch(x) ? grid.least_gap() : grid.margin(x.high - x.low); };
+    const auto gap_of = [&](const Crossing& x) { return relaxed_.touch(x) ? grid.least_gap() : grid.gap(x.high - x.low); };
     const auto gap = [&](std::size_t k) { return std::min(gap_of(crossings_[order[k]]), gap_of(crossings_[order[k + 1]])); };
     const auto limits = [&](const Crossing& x) {
       const double margin = margin_of(x);
@@ -135,6 +135,10 @@ std::uint32_t TracePoints::vertex_of(const Crossing& x) const {
   return static_cast<std::uint32_t>(std::lower_bound(crossings_.begin(), crossings_.end(), x) - crossings_.begin());
 }
 
+double TracePoints::margin_of(const Face& face) const {
+  return relaxed_.touch(face) ? restriction_.grid().least_gap() : restriction_.grid().margin(face.size);
+}
+
 Vec3 TracePoints::move_of(const Crossing& x) const {
   Vec3 move = Vec3::Zero();
   move[x.axis] = moved_[vertex_of(x)];
@@ -146,7 +150,7 @@ void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<s
   const std::uint32_t start = vertex_of(arc.start), end = vertex_of(arc.end);
   drawn.vertices.push_back(start);
   std::size_t previous = 0;
-  const double margin = grid.margin(face.size);
+  const double margin = margin_of(face);
   const double exact = 1e-12 * std::max(vertices_[start].cwiseAbs().maxCoeff(), grid.unit);
   std::vector<double> moves{std::abs(moved_[start])};
   for (const std::size_t bend : kept) {
@@ -176,7 +180,7 @@ void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<s
 bool TracePoints::draw_closed(const Face& face, const Arc& arc, TracedArc& drawn) {
   const Grid& grid = restriction_.grid();
   const int b = face.b_axis(), c = face.c_axis();
-  const double margin = grid.margin(face.size);
+  const double margin = margin_of(face);
   const Vec3 low = grid.point(face.corner(0, 0)), high = grid.point(face.corner(1, 1));
   Box3 box;
   Vec3 middle = Vec3::Zero();
@@ -257,7 +261,7 @@ bool TracePoints::draw(const Face& face, const std::vector<const Arc*>& arcs, do
         if (keep[k]) kept.push_back(k - 1);
       draw_arc(face, arc, kept, drawn[a]);
     }
-    if (disjoint(face, drawn, false) && (!restriction_.grid().holds_floats(face.size) || disjoint(face, drawn, true))) return true;
+    if (disjoint(face, drawn, false) && (!restriction_.grid().holds_floats(face.size) || relaxed_.touch(face) || disjoint(face, drawn, true))) return true;
   }
   return false;
 }

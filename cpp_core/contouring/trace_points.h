@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "contouring/relaxed_cells.h"
 #include "subdivision/cell_problem.h"
 #include "subdivision/trace.h"
 
@@ -24,7 +25,8 @@ struct TracedArc {
 
 class TracePoints {
  public:
-  TracePoints(const Restriction& restriction, std::vector<Vec3>& vertices) : restriction_(restriction), vertices_(vertices) {}
+  TracePoints(const Restriction& restriction, const RelaxedCells& relaxed, std::vector<Vec3>& vertices)
+      : restriction_(restriction), relaxed_(relaxed), vertices_(vertices) {}
 
   /// Registers the crossings of an arc on a minimal face; call for all arcs before place().
   void announce(const Arc& arc);
@@ -42,7 +44,10 @@ class TracePoints {
   bool draw_closed(const Face& face, const Arc& arc, TracedArc& drawn);
   void draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedArc& drawn);
 
+  double margin_of(const Face& face) const;
+
   const Restriction& restriction_;
+  const RelaxedCells& relaxed_;
   std::vector<Vec3>& vertices_;
   std::vector<Crossing> crossings_;      // sorted, unique, after place()
   std::vector<double> moved_;            // along their lines

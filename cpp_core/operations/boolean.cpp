@@ -38,6 +38,7 @@ class Stopwatch {
 // Cells stay this many grid units wide.
 constexpr int smallest_cell_bits = 4;
 constexpr int most_rounds = 24;
+constexpr int patient_rounds = 4;
 // How often another position of the grid is tried, and up to how many leaves.
 constexpr int most_attempts = 5;
 constexpr std::size_t small_tree = 5000;
@@ -262,19 +263,25 @@ class Evaluation {
     return moved;
   }
 
-  // Contouring names the leaves whose fans do not serve; they are refined and all is contoured again.
+  // Contouring names the leaves whose sheets do not serve; they are refined and all is contoured again. Small ones are
+  // first relaxed: where sheets nearly touch along a face, splitting would go on for ever.
   Contour refine_until_good(const Restriction& restriction, Subdivision& subdivision, Octree& tree,
                             const AcceptanceSettings& settings) {
+    const Grid& grid = restriction.grid();
+    ContourSettings contouring{settings.error, settings.pull, {}, [&] {
+      if (options_.progress && !options_.progress(0.8, "contouring")) throw CancelledError("The run was cancelled.");
+    }};
     for (int round = 0;; ++round) {
-      const auto poll = [&] {
-        if (options_.progress && !options_.progress(0.8, "contouring")) throw CancelledError("The run was cancelled.");
-      };
-      Contour made = contour(restriction, tree, {settings.error, settings.pull, poll});
+      Contour made = contour(restriction, tree, contouring);
       result_.certificate.statistics["contour_rounds"] = round + 1;
-      bool refined = false;
+      bool changed = false;
       if (round < most_rounds)
-        for (const Cell& cell : made.failed) refined = subdivision.refine(tree, cell) || refined;
-      if (!refined) {
+        for (const Cell& cell : made.failed) {
+          const bool relax = (round >= patient_rounds || grid.length(cell.size) < 4096 * grid.step) && !contouring.relaxed.has(cell);
+          if (relax) contouring.relaxed.add(cell);
+          changed = relax || subdivision.refine(tree, cell) || changed;
+        }
+      if (!changed) {
         for (const Cell& cell : made.failed) {
           OctreeNode* node = tree.node_of(cell);
           if (node->leaf) node->leaf->resolved = false;

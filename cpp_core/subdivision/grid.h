@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "numerics/vector.h"
@@ -30,6 +31,12 @@ struct Grid {
   double margin(std::uint32_t size) const { return std::min(2 * step, length(size) / 16); }
   /// How far apart crossings of one line are kept: enough for the sheets through them to stay apart in float32.
   double gap(std::uint32_t size) const { return std::min(8 * step, length(size) / 16); }
+  /// Points nearer than this could be in the wrong order after double rounding.
+  double least_gap() const {
+    double reach = 0;
+    for (const std::int64_t o : origin) reach = std::max({reach, std::abs(unit * static_cast<double>(o)), std::abs(unit * static_cast<double>(o + (std::int64_t{1} << depth)))});
+    return 64 * 2.220446049250313e-16 * reach;
+  }
   /// Is the size large enough for sheets to be kept apart in float32 too, at a cost that is worth it?
   bool holds_floats(std::uint32_t size) const { return length(size) >= 512 * step; }
   Vec3 point(const GridPoint& p) const { return {coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2])}; }
