@@ -60,24 +60,30 @@ bool sheet_folds(const std::vector<Vec3>& vertices, const Triangle* triangles, s
   return false;
 }
 
-std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                             bool rounded) {
+std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded) {
   const std::vector<Vec3> copy = rounded ? rounded_copy(vertices) : std::vector<Vec3>();
   const std::vector<Vec3>& v = rounded ? copy : vertices;
-  std::vector<std::uint32_t> found;
+  std::vector<MeetingPair> found;
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    if (has_no_area(v[triangles[t][0]], v[triangles[t][1]], v[triangles[t][2]])) found.push_back(t);
+    if (has_no_area(v[triangles[t][0]], v[triangles[t][1]], v[triangles[t][2]])) found.emplace_back(t, t);
   std::vector<char> flat(triangles.size(), 0);
-  for (const std::uint32_t t : found) flat[t] = 1;
+  for (const MeetingPair& pair : found) flat[pair.first] = 1;
   std::mutex mutex;
   const TriangleHierarchy hierarchy(v, triangles);
   hierarchy.overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
     if (flat[s] || flat[t] || !meet_outside_shared(v, triangles[s], triangles[t])) return true;
     const std::lock_guard lock(mutex);
-    found.push_back(s);
-    found.push_back(t);
+    found.emplace_back(s, t);
     return true;
   });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                             bool rounded) {
+  std::vector<std::uint32_t> found;
+  for (const auto& [s, t] : meeting_pairs(vertices, triangles, rounded)) found.push_back(s), found.push_back(t);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -5,7 +5,13 @@
 
 namespace starcell {
 
-/// Pairs of triangles that meet outside shared vertices and edges: indices of the triangles involved, ascending.
+/// Two triangles that meet outside shared vertices and edges; twice the same: it has no area.
+using MeetingPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// All of them, ascending. `rounded`: on float32 coordinates.
+std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded);
+
+/// The triangles of all such pairs, ascending.
 /// `rounded`: on float32 coordinates.
 std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                              bool rounded);

@@ -12,6 +12,7 @@
 #include "contouring/contour.h"
 #include "contouring/embedding.h"
 #include "contouring/flat_regions.h"
+#include "contouring/float_gaps.h"
 #include "operations/operands.h"
 #include "solids/connectivity.h"
 #include "solids/errors.h"
@@ -302,6 +303,11 @@ class Evaluation {
     c.unresolved = std::move(run.unresolved);
     c.contacts = std::move(run.contacts);
     statistics_.leaves = run.leaves;
+    if (merge.embedded && !merge.meeting_as_floats.empty()) {
+      const FloatGaps gaps = open_float_gaps(mesh.vertices, mesh.triangles, std::min(0.05 * tolerances_.error, 64 * run.grid.step));
+      c.error_bound += gaps.moved;
+      if (gaps.opened) merge.meeting_as_floats.clear();
+    }
     if (merge.embedded) {
       c.unresolved.insert(c.unresolved.end(), merge.meeting_as_floats.begin(), merge.meeting_as_floats.end());
       result_.vertices = std::move(mesh.vertices);
