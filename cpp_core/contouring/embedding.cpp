@@ -1,8 +1,10 @@
 #include "contouring/embedding.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
+#include "solids/errors.h"
 #include "solids/triangle_hierarchy.h"
 #include "solids/triangle_pair.h"
 
@@ -60,7 +62,8 @@ bool sheet_folds(const std::vector<Vec3>& vertices, const Triangle* triangles, s
   return false;
 }
 
-std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded) {
+std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded,
+                                       const GoOn& go_on) {
   const std::vector<Vec3> copy = rounded ? rounded_copy(vertices) : std::vector<Vec3>();
   const std::vector<Vec3>& v = rounded ? copy : vertices;
   std::vector<MeetingPair> found;
@@ -69,21 +72,29 @@ std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const 
   std::vector<char> flat(triangles.size(), 0);
   for (const MeetingPair& pair : found) flat[pair.first] = 1;
   std::mutex mutex;
+  std::atomic<bool> stopped{false};
+  std::atomic<std::size_t> tested{0};
   const TriangleHierarchy hierarchy(v, triangles);
   hierarchy.overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
+    if (go_on && tested.fetch_add(1, std::memory_order_relaxed) % 20000 == 0) {
+      const std::unique_lock lock(mutex, std::try_to_lock);
+      if (lock && !go_on()) stopped = true;
+    }
+    if (stopped) return false;
     if (flat[s] || flat[t] || !meet_outside_shared(v, triangles[s], triangles[t])) return true;
     const std::lock_guard lock(mutex);
     found.emplace_back(s, t);
     return true;
   });
+  if (stopped) throw CancelledError("The run was cancelled.");
   std::sort(found.begin(), found.end());
   return found;
 }
 
 std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                             bool rounded) {
+                                             bool rounded, const GoOn& go_on) {
   std::vector<std::uint32_t> found;
-  for (const auto& [s, t] : meeting_pairs(vertices, triangles, rounded)) found.push_back(s), found.push_back(t);
+  for (const auto& [s, t] : meeting_pairs(vertices, triangles, rounded, go_on)) found.push_back(s), found.push_back(t);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

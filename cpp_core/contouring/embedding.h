@@ -1,6 +1,8 @@
 // Exact tests that triangles do not meet, on the coordinates as they are and as float32.
 #pragma once
 
+#include <functional>
+
 #include "contouring/surface_mesh.h"
 
 namespace starcell {
@@ -8,13 +10,17 @@ namespace starcell {
 /// Two triangles that meet outside shared vertices and edges; twice the same: it has no area.
 using MeetingPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// All of them, ascending. `rounded`: on float32 coordinates.
-std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded);
+/// Asked now and then, from one thread at a time: false to stop. Empty: never.
+using GoOn = std::function<bool()>;
+
+/// All of them, ascending. `rounded`: on float32 coordinates. Throws CancelledError.
+std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded,
+                                       const GoOn& go_on = {});
 
 /// The triangles of all such pairs, ascending.
 /// `rounded`: on float32 coordinates.
 std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                             bool rounded);
+                                             bool rounded, const GoOn& go_on = {});
 
 /// Does any triangle of one fan meet one of the other? Both index `vertices`; they share no vertex. `rounded_too`: also once
 /// rounded to float32.

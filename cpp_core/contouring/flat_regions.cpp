@@ -9,6 +9,7 @@
 #include "contouring/embedding.h"
 #include "contouring/flat_polygon.h"
 #include "solids/connectivity.h"
+#include "solids/errors.h"
 
 namespace starcell {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::uint32_t none = UINT32_MAX;
 
 class Merger {
  public:
-  Merger(SurfaceMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
+  Merger(SurfaceMesh& mesh, double tolerance, const GoOn& go_on) : mesh_(mesh), tolerance_(tolerance), go_on_(go_on) {}
 
   FlatMerge run() {
     neighbours_ = connect(mesh_.vertices, mesh_.triangles).neighbours;
@@ -158,6 +159,7 @@ class Merger {
     bool ok = true;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (frozen[r]) continue;
+      if (r % 512 == 0 && go_on_ && !go_on_()) throw CancelledError("The run was cancelled.");
       auto triangles = triangulate(rims[r]);
       if (triangles)
         fresh_[r] = std::move(*triangles);
@@ -208,7 +210,7 @@ class Merger {
   std::vector<char> meeting_regions(FlatMerge& result) const {
     std::vector<char> bad(regions_.size(), 0);
     for (const bool rounded : {false, true})
-      for (const std::uint32_t t : meeting_triangles(mesh_.vertices, new_triangles_, rounded)) {
+      for (const std::uint32_t t : meeting_triangles(mesh_.vertices, new_triangles_, rounded, go_on_)) {
         if (new_region_[t] != none) bad[new_region_[t]] = 1;
         if (!rounded) {
           result.embedded = false;
@@ -243,6 +245,7 @@ class Merger {
 
   SurfaceMesh& mesh_;
   double tolerance_;
+  const GoOn& go_on_;
   std::vector<Triangle> neighbours_;
   std::vector<std::uint32_t> region_;
   std::vector<std::vector<std::uint32_t>> regions_;
@@ -254,9 +257,9 @@ class Merger {
 
 }  // namespace
 
-FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance) {
+FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on) {
   if (mesh.triangles.empty()) return {0, true, {}};
-  return Merger(mesh, tolerance).run();
+  return Merger(mesh, tolerance, go_on).run();
 }
 
 }  // namespace starcell

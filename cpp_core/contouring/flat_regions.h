@@ -8,7 +8,7 @@
 // meet anything are left as they were. What still meets is said.
 #pragma once
 
-#include "contouring/surface_mesh.h"
+#include "contouring/embedding.h"
 
 namespace starcell {
 
@@ -18,7 +18,7 @@ struct FlatMerge {
   std::vector<Box3> meeting_as_floats;  ///< triangles that meet others once rounded to float32: slivers thinner than its step
 };
 
-/// The mesh must be closed and manifold.
-FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance);
+/// The mesh must be closed and manifold. Throws CancelledError.
+FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on = {});
 
 }  // namespace starcell

@@ -107,11 +107,21 @@ class Evaluation {
     c.statistics["triangles"] = static_cast<double>(result_.triangles.size());
     c.statistics["vertices"] = static_cast<double>(result_.vertices.size());
     c.statistics["seconds"] = total_.lap();
-    if (options_.progress && !options_.progress(1.0, "done")) throw CancelledError("The run was cancelled.");
+    tell(1.0, "done");
     return std::move(result_);
   }
 
  private:
+  // Attempts start over; what is reported never goes back.
+  bool report_progress(double done, const std::string& stage) {
+    reported_ = std::max(reported_, done);
+    return !options_.progress || options_.progress(reported_, stage);
+  }
+
+  void tell(double done, const std::string& stage) {
+    if (!report_progress(done, stage)) throw CancelledError("The run was cancelled.");
+  }
+
   static Box3 padded(const Box3& box) {
     if (box.isEmpty()) return Box3(Vec3::Zero(), Vec3::Ones());
     const Vec3 m = Vec3::Constant(2 * longest_side(box) + 1e-300);
@@ -151,13 +161,11 @@ class Evaluation {
       grazes = std::move(all);
       best = std::move(next);
     }
-    if (best.operands_moved > 0)
-      for (const Graze& g : grazes) {
-        const Vec3 margin = Vec3::Constant(tolerances_.contact);
-        best.contacts.emplace_back(g.place - margin, g.place + margin);
-      }
-    if (options_.progress && !options_.progress(0.9, "merging flat regions"))
-      throw CancelledError("The run was cancelled.");
+    for (const Graze& g : grazes) {
+      const Vec3 margin = Vec3::Constant(tolerances_.contact);
+      best.contacts.emplace_back(g.place - margin, g.place + margin);
+    }
+    tell(0.9, "merging flat regions");
     finish(best);
     c.statistics["seconds.merge"] = watch_.lap();
   }
@@ -188,7 +196,8 @@ class Evaluation {
     run.grid = choose_grid(box_, table, attempt);
     const Restriction restriction(table, run.grid);
     const AcceptanceSettings settings = acceptance_settings(table, run.grid, moved);
-    Reporter reporter(options_.progress, "subdividing", 0, 0.8);
+    const Progress progress = [this](double done, const std::string& stage) { return report_progress(done, stage); };
+    Reporter reporter(progress, "subdividing", 0, 0.8);
     Subdivision subdivision(restriction, settings, limits_of(run.grid), statistics_, reporter);
     Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
         std::vector<State>(operands_.solids.size(), State::mixed))));
@@ -269,14 +278,12 @@ class Evaluation {
   Contour refine_until_good(const Restriction& restriction, Subdivision& subdivision, Octree& tree,
                             const AcceptanceSettings& settings) {
     const Grid& grid = restriction.grid();
-    ContourSettings contouring{settings.error, settings.pull, {}, [&] {
-      if (options_.progress && !options_.progress(0.8, "contouring")) throw CancelledError("The run was cancelled.");
-    }};
+    ContourSettings contouring{settings.error, settings.pull, {}, [&] { tell(0.8, "contouring"); }};
     for (int round = 0;; ++round) {
       Contour made = contour(restriction, tree, contouring);
       result_.certificate.statistics["contour_rounds"] = round + 1;
       bool changed = false;
-      if (round < most_rounds)
+      if (round < most_rounds && !subdivision.exhausted())
         for (const Cell& cell : made.failed) {
           const bool relax = (round >= patient_rounds || grid.length(cell.size) < 4096 * grid.step) && !contouring.relaxed.has(cell);
           if (relax) contouring.relaxed.add(cell);
@@ -298,7 +305,8 @@ class Evaluation {
     Certificate& c = result_.certificate;
     SurfaceMesh& mesh = run.contour.mesh;
     FlatMerge merge;
-    if (connect(mesh.vertices, mesh.triangles).closed_manifold()) merge = merge_flat_regions(mesh, 1e-11 * scale());
+    if (connect(mesh.vertices, mesh.triangles).closed_manifold())
+      merge = merge_flat_regions(mesh, 1e-11 * scale(), [this] { return report_progress(0.9, "merging flat regions"); });
     c.error_bound = tolerances_.inputs + run.operands_moved + run.contour.bound + merge.moved;
     c.unresolved = std::move(run.unresolved);
     c.contacts = std::move(run.contacts);
@@ -326,6 +334,7 @@ class Evaluation {
   const Tolerances tolerances_;
   Statistics statistics_;
   Stopwatch watch_, total_;
+  double reported_ = 0;
   Result result_;
 };
 
