@@ -63,22 +63,47 @@ class FanMaker {
     const Surface &s = table_.surfaces[sheet_.surfaces[0]], &t = table_.surfaces[sheet_.surfaces[1]];
     const Vec3 along = s.normal.cross(t.normal);
     const double length = along.squaredNorm();
-    if (!(length > 0)) return anything();
+    if (!(length > 0)) return nearly_flat();
     // The line's point nearest to the centroid.
     const double hs = s.offset - s.normal.dot(centroid_), ht = t.offset - t.normal.dot(centroid_);
     const Vec3 foot = centroid_ + (hs * t.normal.cross(along) + ht * along.cross(s.normal)) / length;
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for (int k = 0; k < 3; ++k) {
+      if (along[k] == 0) {
+        if (foot[k] <= cell_.min()[k] || foot[k] >= cell_.max()[k]) return nearly_flat();
+        continue;
+      }
       const double a = (cell_.min()[k] - foot[k]) / along[k], b = (cell_.max()[k] - foot[k]) / along[k];
-      if (along[k] == 0) continue;
       low = std::max(low, std::min(a, b));
       high = std::min(high, std::max(a, b));
     }
-    if (!(low < high)) return anything();
+    if (!(low < high)) return nearly_flat();
     const Vec3 tip = foot + 0.5 * (low + high) * along;
     const double off = std::max(s.distance(tip) - s.thickness, t.distance(tip) - t.thickness);
-    if (!(off <= 1e-12 * scale())) return anything();
+    if (!(off <= 1e-12 * scale())) return nearly_flat();
     return cone(tip);
+  }
+
+  // Planes so nearly parallel that their line is uncertain: on both of them E is a graph over either, in a slab. (Folded
+  // back instead, the loop's shadow would not be seen whole from anywhere, and nothing is claimed.)
+  Fan nearly_flat() {
+    const Surface &s = table_.surfaces[sheet_.surfaces[0]], &t = table_.surfaces[sheet_.surfaces[1]];
+    const double sense = s.normal.dot(t.normal) < 0 ? -1 : 1;
+    double apart = s.thickness + t.thickness;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 x = cell_.corner(static_cast<Box3::CornerType>(corner));
+      apart = std::max(apart, std::abs((s.normal.dot(x) - s.offset) - sense * (t.normal.dot(x) - t.offset)) + s.thickness + t.thickness);
+    }
+    for (const double turn : {1.0, -1.0}) {
+      Sheet flat;
+      flat.shape = Sheet::Shape::slab;
+      flat.direction = turn * s.normal;
+      flat.low = turn * s.offset - apart;
+      flat.high = turn * s.offset + apart;
+      const Fan fan = FanMaker(table_, cell_, flat, loop_, vertices_, margin_, pull_).slab();
+      if (fan.bound < cell_.diagonal().norm()) return fan;
+    }
+    return anything();
   }
 
   // Sheets that touch along their creases: the two bends where the loop changes planes were pulled off the common line.

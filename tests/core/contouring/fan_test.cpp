@@ -26,5 +26,22 @@ TEST(Fan, AMovedBendDoesNotCostTheCrease) {
   EXPECT_NEAR((fan.apex - Vec3(0.5, 0.5, 0.5)).norm(), 0, 1e-12);
 }
 
+// Two planes at an angle of 1e-13: where they meet is anybody's guess, but not how near the fan is to both.
+TEST(Fan, PlanesTooNearlyParallelForALineAreASlab) {
+  FacetTable table;
+  table.surfaces.push_back({Vec3(0, 0, 1), 0.5, 1e-16, false});
+  table.surfaces.push_back({Vec3(1e-13, 0, 1), 0.5 + 3e-13, 1e-16, false});   // their line: x = 3, outside the cell
+  Sheet sheet;
+  sheet.shape = Sheet::Shape::crease;
+  sheet.surfaces = {0, 1};
+  const std::vector<Vec3> vertices{{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}};
+  DrawnLoop loop;
+  loop.vertices = {0, 1, 2, 3};
+  loop.surfaces = {0, 1, 1, 0};
+  const Fan fan = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 1e-6, 0);
+  EXPECT_LT(fan.bound, 1e-11);
+  EXPECT_NEAR(fan.apex.z(), 0.5, 1e-11);
+}
+
 }  // namespace
 }  // namespace starcell
