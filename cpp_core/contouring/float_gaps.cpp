@@ -11,13 +11,13 @@
 namespace starcell {
 namespace {
 
-constexpr int most_rounds = 24;
+constexpr int most_rounds = 60;
 constexpr double wanted_steps = 2.5;   // between triangles; rounding moves each by less than one
 
 class Opener {
  public:
-  Opener(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most)
-      : start_(vertices), now_(vertices), triangles_(triangles), most_(most) {}
+  Opener(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most, double share)
+      : start_(vertices), now_(vertices), triangles_(triangles), most_(most), share_(share) {}
 
   bool open() {
     for (int round = 0; round < most_rounds; ++round) {
@@ -34,7 +34,7 @@ class Opener {
       bool any = false;
       for (std::size_t v = 0; v < now_.size(); ++v) {
         if (pushes_[v] == 0) continue;
-        now_[v] += push_[v] / pushes_[v];
+        now_[v] += share_ * push_[v] / pushes_[v];
         any = any || push_[v].norm() > 0;
         if ((now_[v] - start_[v]).norm() > most_) return false;
       }
@@ -134,7 +134,7 @@ class Opener {
   const std::vector<Vec3>& start_;
   std::vector<Vec3> now_;
   const std::vector<Triangle>& triangles_;
-  const double most_;
+  const double most_, share_;
   std::vector<Vec3> push_;
   std::vector<int> pushes_;
 };
@@ -142,11 +142,15 @@ class Opener {
 }  // namespace
 
 FloatGaps open_float_gaps(std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most) {
-  Opener opener(vertices, triangles, most);
-  if (!opener.open()) return {};
-  const FloatGaps result{opener.moved(), true};
-  vertices = opener.vertices();
-  return result;
+  // Whole pushes first; smaller ones where those overshoot a layer that is itself being pushed.
+  for (const double share : {1.0, 0.3, 0.1}) {
+    Opener opener(vertices, triangles, most, share);
+    if (!opener.open()) continue;
+    const FloatGaps result{opener.moved(), true};
+    vertices = opener.vertices();
+    return result;
+  }
+  return {};
 }
 
 }  // namespace starcell
