@@ -242,11 +242,20 @@ class Evaluation {
     SubdivisionLimits limits;
     limits.max_level = grid.depth - smallest_cell_bits;
     if (options_.budget.max_depth > 0) limits.max_level = std::min(limits.max_level, options_.budget.max_depth);
-    limits.max_cells = options_.budget.max_cells;
+    limits.max_cells = options_.budget.max_cells > 0 ? options_.budget.max_cells : usual_cells();
     limits.max_bytes = options_.budget.max_bytes;
     limits.max_seconds = options_.budget.max_seconds;
     limits.deep_size = static_cast<std::uint32_t>(std::min(256 * grid.step / grid.unit, 1e9));
     return limits;
+  }
+
+  // Generic inputs need a small part of this. Only operands that touch along curved faces, whose tessellations cross each
+  // other everywhere, need more, and those should end while one waits.
+  std::size_t usual_cells() const {
+    double facets = 0;
+    for (const auto& solid : operands_.solids) facets += static_cast<double>(solid->triangles().size());
+    const double across = std::isinf(tolerances_.error) ? 1 : longest_side(box_) / tolerances_.error;
+    return static_cast<std::size_t>(std::min(5e7, 1.5e6 + 20 * facets + 20 * across * across));
   }
 
   // Every sheet is on planes through a point, and yet the fans are not E: a crossing or a corner lies within a float32

@@ -93,7 +93,7 @@ void bind_budget(py::module_& module) {
            py::arg("max_seconds") = py::none(), py::arg("max_bytes") = py::none(),
            "max_depth in levels, max_cells in cells, max_seconds in seconds, max_bytes in bytes.")
       .def_readonly("max_depth", &Budget::max_depth, "Octree levels; 0: as many as float32 coordinates allow.")
-      .def_readonly("max_cells", &Budget::max_cells, "Number of cells (no units).")
+      .def_readonly("max_cells", &Budget::max_cells, "Number of cells (no units); 0: in proportion to the input and to (size / error)^2, 50 million at most.")
       .def_readonly("max_seconds", &Budget::max_seconds, "Seconds of wall clock; inf: no limit.")
       .def_readonly("max_bytes", &Budget::max_bytes, "Estimated memory in bytes; 0: no limit.");
 }

@@ -14,7 +14,7 @@ enum class Criterion { trace, complex_cell };
 /// Where a run stops and says `unresolved`.
 struct Budget {
   int max_depth = 0;                ///< octree levels; 0: as many as float32 coordinates allow
-  std::size_t max_cells = 50'000'000;
+  std::size_t max_cells = 0;        ///< 0: in proportion to the input's facets and to (size / error)^2, 50 million at most
   double max_seconds = std::numeric_limits<double>::infinity();
   std::size_t max_bytes = 0;        ///< estimated memory of the octree; 0: no limit
 };
