@@ -20,10 +20,14 @@ bool boxes_apart(const std::vector<Vec3>& v, const Triangle& s, const Triangle& 
   return false;
 }
 
-std::vector<Vec3> rounded_copy(const std::vector<Vec3>& vertices) {
+std::vector<Vec3> rounded_copy(const std::vector<Vec3>& vertices, int axes) {
   std::vector<Vec3> result;
   result.reserve(vertices.size());
-  for (const Vec3& p : vertices) result.push_back(to_float(p));
+  for (const Vec3& p : vertices) {
+    result.push_back(to_float(p));
+    for (int k = 0; k < 3; ++k)
+      if (!(axes >> k & 1)) result.back()[k] = p[k];
+  }
   return result;
 }
 
@@ -64,8 +68,13 @@ bool sheet_folds(const std::vector<Vec3>& vertices, const Triangle* triangles, s
 
 std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded,
                                        const GoOn& go_on) {
-  const std::vector<Vec3> copy = rounded ? rounded_copy(vertices) : std::vector<Vec3>();
-  const std::vector<Vec3>& v = rounded ? copy : vertices;
+  return meeting_pairs_rounded(vertices, triangles, rounded ? 7 : 0, go_on);
+}
+
+std::vector<MeetingPair> meeting_pairs_rounded(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, int axes,
+                                               const GoOn& go_on) {
+  const std::vector<Vec3> copy = axes ? rounded_copy(vertices, axes) : std::vector<Vec3>();
+  const std::vector<Vec3>& v = axes ? copy : vertices;
   std::vector<MeetingPair> found;
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     if (has_no_area(v[triangles[t][0]], v[triangles[t][1]], v[triangles[t][2]])) found.emplace_back(t, t);

@@ -17,6 +17,10 @@ using GoOn = std::function<bool()>;
 std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded,
                                        const GoOn& go_on = {});
 
+/// The same with only some coordinates rounded: bit k of `axes` stands for axis k.
+std::vector<MeetingPair> meeting_pairs_rounded(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, int axes,
+                                               const GoOn& go_on = {});
+
 /// The triangles of all such pairs, ascending.
 /// `rounded`: on float32 coordinates.
 std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
