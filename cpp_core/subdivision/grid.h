@@ -31,11 +31,11 @@ struct Grid {
   double margin(std::uint32_t size) const { return std::min(2 * step, length(size) / 16); }
   /// How far apart crossings of one line are kept: enough for the sheets through them to stay apart in float32.
   double gap(std::uint32_t size) const { return std::min(8 * step, length(size) / 16); }
-  /// Points nearer than this could be in the wrong order after double rounding.
+  /// Far above double rounding, far below float32's: points this far apart are surely in order, and proofs about them have room.
   double least_gap() const {
     double reach = 0;
     for (const std::int64_t o : origin) reach = std::max({reach, std::abs(unit * static_cast<double>(o)), std::abs(unit * static_cast<double>(o + (std::int64_t{1} << depth)))});
-    return 64 * 2.220446049250313e-16 * reach;
+    return 16384 * 2.220446049250313e-16 * reach;
   }
   /// Is the size large enough for sheets to be kept apart in float32 too, at a cost that is worth it?
   bool holds_floats(std::uint32_t size) const { return length(size) >= 512 * step; }
