@@ -84,9 +84,10 @@ class FanMaker {
     return cone(tip);
   }
 
-  // Planes so nearly parallel that their line is uncertain: on both of them E is a graph over either, in a slab. (Folded
-  // back instead, the loop's shadow would not be seen whole from anywhere, and nothing is claimed.)
+  // Planes so nearly parallel that their line is uncertain: where all facets face one side, E is a graph over either plane
+  // in the slab that both span in the cell. Where they do not, it may be folded, and nothing is claimed.
   Fan nearly_flat() {
+    if (!sheet_.level) return anything();
     const Surface &s = table_.surfaces[sheet_.surfaces[0]], &t = table_.surfaces[sheet_.surfaces[1]];
     const double sense = s.normal.dot(t.normal) < 0 ? -1 : 1;
     double apart = s.thickness + t.thickness;

@@ -102,14 +102,22 @@ std::optional<Vec3> common_normal(const std::vector<Vec3>& start, const std::vec
 
 double det(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
 
+// Places between start and end are rounded: how far the differences of two of them are off. Generous by a factor of four.
+double place_rounding(const std::vector<Vec3>& v0, const std::vector<Vec3>& v1, const Pair& pair) {
+  const std::uint32_t p = pair.shared[0];
+  const double reach = std::max(v0[p].cwiseAbs().maxCoeff(), v1[p].cwiseAbs().maxCoeff()) + (v0[pair.s[0]] - v0[p]).norm() +
+                       (v0[pair.t[0]] - v0[p]).norm();
+  return 4e-15 * reach;
+}
+
 // Bernstein coefficients of the volume over the edge: one sign throughout.
 bool keeps_volume(const std::vector<Vec3>& v0, const std::vector<Vec3>& v1, const Pair& pair) {
   const std::uint32_t p = pair.shared[0], q = pair.shared[1], a = pair.s[0], b = pair.t[0];
   const Vec3 u0 = v0[q] - v0[p], u1 = v1[q] - v1[p], x0 = v0[a] - v0[p], x1 = v1[a] - v1[p], y0 = v0[b] - v0[p], y1 = v1[b] - v1[p];
   const double c[4] = {det(u0, x0, y0), (det(u1, x0, y0) + det(u0, x1, y0) + det(u0, x0, y1)) / 3,
                        (det(u1, x1, y0) + det(u1, x0, y1) + det(u0, x1, y1)) / 3, det(u1, x1, y1)};
-  const double size = std::max(u0.norm(), u1.norm()) * std::max(x0.norm(), x1.norm()) * std::max(y0.norm(), y1.norm());
-  const double error = 1e-14 * size;
+  const double u = std::max(u0.norm(), u1.norm()), x = std::max(x0.norm(), x1.norm()), y = std::max(y0.norm(), y1.norm());
+  const double r = place_rounding(v0, v1, pair), error = 1e-14 * u * x * y + r * (u * x + x * y + y * u);
   return std::all_of(c, c + 4, [&](double x) { return x > error; }) || std::all_of(c, c + 4, [&](double x) { return x < -error; });
 }
 
@@ -122,8 +130,9 @@ bool stays_wide(const std::vector<Vec3>& v0, const std::vector<Vec3>& v1, const 
   const Vec3 d0 = u0.cross(y0), d1 = 0.5 * (u0.cross(y1) + u1.cross(y0)), d2 = u1.cross(y1);
   const double e[5] = {c0.dot(d0), 0.5 * (c0.dot(d1) + c1.dot(d0)), (c0.dot(d2) + 4 * c1.dot(d1) + c2.dot(d0)) / 6,
                        0.5 * (c1.dot(d2) + c2.dot(d1)), c2.dot(d2)};
-  const double u = std::max(u0.norm(), u1.norm());
-  const double error = 1e-14 * u * u * std::max(x0.norm(), x1.norm()) * std::max(y0.norm(), y1.norm());
+  const double u = std::max(u0.norm(), u1.norm()), x = std::max(x0.norm(), x1.norm()), y = std::max(y0.norm(), y1.norm());
+  const double r = place_rounding(v0, v1, pair), dc = 1e-15 * u * x + 2 * r * (u + x), dd = 1e-15 * u * y + 2 * r * (u + y);
+  const double error = std::max({c0.norm(), c1.norm(), c2.norm()}) * dd + std::max({d0.norm(), d1.norm(), d2.norm()}) * dc + dc * dd;
   return std::all_of(e, e + 5, [&](double x) { return x < -error; });
 }
 

@@ -50,6 +50,21 @@ bool is_feature(const FacetTable& table, const std::vector<std::uint32_t>& surfa
   return false;
 }
 
+// Far from edge-on, so that doubles are sure of it; a needle's normal is noise: refused.
+bool faces_one_side(const FacetTable& table, std::uint32_t surface, const std::vector<std::uint32_t>& facets) {
+  int side = 0;
+  for (const std::uint32_t f : facets) {
+    const Vec3 n = table.area_vector(f);
+    const Vec3 &a = table.corner(f, 0), &b = table.corner(f, 1), &c = table.corner(f, 2);
+    const double along = n.dot(table.surfaces[surface].normal);
+    const int s = along > 0 ? 1 : -1;
+    if (!(std::abs(along) > 0.5 * n.norm()) || !(n.norm() > 1e-10 * std::max((b - a).squaredNorm(), (c - a).squaredNorm()))) return false;
+    if (side != 0 && s != side) return false;
+    side = s;
+  }
+  return true;
+}
+
 // More than three planes, or three with a line in common: concurrent by intent. Three in general position always are, and
 // V-planes has to find the cell in which they can be told apart.
 bool degenerate(const FacetTable& table, const std::vector<std::uint32_t>& surfaces) {
@@ -134,6 +149,7 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
         sheet = Sheet();
       }
     }
+    if (sheet->shape == Sheet::Shape::crease) sheet->level = faces_one_side(table, sheet->surfaces[0], group.facets);
     leaf.sheets.push_back(std::move(*sheet));
   }
   for (int side = 0; side < 6; ++side) {
@@ -176,7 +192,6 @@ bool Acceptance::trace_faces(const CellProblem& problem, const LocalPlanes& loca
 // and rounding: an input moved by that much, hence a contact.
 bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   const FacetTable& table = restriction_.table();
-  if (!LocalPlanes(table, problem.facets, box).empty()) return false;   // not concurrent: nearly one plane
   const auto cone = concurrent_sheet(restriction_, box, surfaces_of(table, problem.facets), vertices_inside(table, problem.facets, box));
   if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, LocalPlanes(), leaf)) return false;
   const auto loops = leaf_loops(leaf);
@@ -198,8 +213,10 @@ bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& 
 }
 
 bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  if (accept_planes(problem, box, leaf) || accept_thin(problem, box, leaf = Leaf())) return true;
-  if (accept_cone(problem, box, leaf = Leaf())) return true;
+  if (accept_planes(problem, box, leaf)) return true;
+  // Planes that are nearly one are no concurrent ones.
+  const LocalPlanes local(restriction_.table(), problem.facets, box);
+  if (local.empty() ? accept_cone(problem, box, leaf = Leaf()) : accept_thin(problem, box, local, leaf = Leaf())) return true;
   return accept_star(problem, box, leaf = Leaf());
 }
 
@@ -231,11 +248,9 @@ bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf
 }
 
 // V-planes where some planes are one as far as the cell can tell: topology only, so the cell's size has to bound the rest.
-bool Acceptance::accept_thin(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
+bool Acceptance::accept_thin(const CellProblem& problem, const Box3& box, const LocalPlanes& local, Leaf& leaf) const {
   if (!small_enough(box)) return false;
   const FacetTable& table = restriction_.table();
-  const LocalPlanes local(table, problem.facets, box);
-  if (local.empty()) return false;
   const auto sheets = plane_sheets(restriction_, problem, local);
   if (!sheets || (!sheets->empty() && !trace_faces(problem, local, leaf))) return false;
   for (const PlaneSheet& plane_sheet : *sheets) {

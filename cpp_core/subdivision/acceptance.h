@@ -41,7 +41,7 @@ class Acceptance {
   bool accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
-  bool accept_thin(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  bool accept_thin(const CellProblem& problem, const Box3& box, const LocalPlanes& local, Leaf& leaf) const;
   bool trace_faces(const CellProblem& problem, const LocalPlanes& local, Leaf& leaf) const;
   bool small_enough(const Box3& box) const;
   bool worth_isolating(const std::vector<std::uint32_t>& surfaces, const Box3& box) const;

@@ -128,7 +128,6 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
   for (std::uint32_t f = 0; f < table.size(); ++f) {
     Surface& s = table.surfaces[table.surface[f]];
     s.thickness = std::max(s.thickness, table.distance(s, f) + evaluation);
-    if (s.shared) table.contact_moved = std::max(table.contact_moved, s.thickness);
     table.thickest = std::max(table.thickest, s.thickness);
   }
   return table;

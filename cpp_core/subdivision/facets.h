@@ -38,7 +38,6 @@ struct FacetTable {
   std::vector<Surface> surfaces;
   std::vector<Graze> grazes;
   double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
-  double contact_moved = 0;              ///< how far surface identity moved any operand
 
   std::size_t size() const { return corners.size(); }
   std::uint32_t operand_of(std::uint32_t facet) const;

@@ -43,6 +43,7 @@ struct Sheet {
   double low = 0, high = 0;
   std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to this sheet
   std::vector<FlatPart> flats;           ///< shape flats only
+  bool level = false;                    ///< crease: all its facets face one side of surfaces[0], so it is a graph over it
   bool contact = false;
 };
 

@@ -39,8 +39,11 @@ TEST(Fan, PlanesTooNearlyParallelForALineAreASlab) {
   loop.vertices = {0, 1, 2, 3};
   loop.surfaces = {0, 1, 1, 0};
   const Fan fan = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 1e-6, 0);
-  EXPECT_LT(fan.bound, 1e-11);
-  EXPECT_NEAR(fan.apex.z(), 0.5, 1e-11);
+  EXPECT_GT(fan.bound, 1) << "it may be folded";
+  sheet.level = true;
+  const Fan level = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 1e-6, 0);
+  EXPECT_LT(level.bound, 1e-11);
+  EXPECT_NEAR(level.apex.z(), 0.5, 1e-11);
 }
 
 }  // namespace
