@@ -1,27 +1,12 @@
 #include "subdivision/surface_identity.h"
 
-#include <algorithm>
-#include <numeric>
+#include "solids/disjoint_sets.h"
 
 namespace starcell {
 namespace {
 
-class Classes {
- public:
-  explicit Classes(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t root(std::uint32_t id) {
-    while (parent_[id] != id) id = parent_[id] = parent_[parent_[id]];
-    return id;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(a, b)] = std::min(a, b); }
-  std::size_t size() const { return parent_.size(); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 // The canonical plane of a class is that of its largest facet: the best determined one.
-void adopt_largest(FacetTable& table, Classes& classes) {
+void adopt_largest(FacetTable& table, DisjointSets& classes) {
   std::vector<std::uint32_t> best(classes.size(), UINT32_MAX);
   std::vector<double> area(classes.size(), -1);
   for (std::uint32_t f = 0; f < table.size(); ++f) {
@@ -40,7 +25,7 @@ void adopt_largest(FacetTable& table, Classes& classes) {
 }  // namespace
 
 void identify_surfaces(FacetTable& table, const std::vector<FacetPair>& pairs, double contact) {
-  Classes classes(table.surfaces.size());
+  DisjointSets classes(table.surfaces.size());
   bool any = false;
   for (const auto& [f, g] : pairs) {
     // Each facet against the plane of the other's whole surface: the test is symmetric and does not depend on order.

@@ -1,12 +1,12 @@
 #include "subdivision/voxel_link.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
 #include "numerics/predicates.h"
+#include "solids/disjoint_sets.h"
 #include "subdivision/grid_line.h"
 
 namespace starcell {
@@ -16,22 +16,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 // Pairs beyond this are cheaper to subdivide than to test.
 constexpr std::size_t max_pairs = 20000;
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // All corners of g strictly on one side of f's plane.
 bool one_side(const FacetTable& table, std::uint32_t f, std::uint32_t g) {
@@ -57,7 +41,7 @@ bool facets_touch(const FacetTable& table, std::uint32_t f, std::uint32_t g) {
 std::vector<Group> link_groups(const Restriction& restriction, const CellProblem& problem, const Box3& box) {
   const FacetTable& table = restriction.table();
   const auto& facets = problem.facets;
-  UnionFind sets(facets.size());
+  DisjointSets sets(facets.size());
   std::vector<int> edges(facets.size(), 0), vertices(facets.size(), 0);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> inside;  // mesh vertex in the cell, a facet at it
   for (std::uint32_t i = 0; i < facets.size(); ++i) {
