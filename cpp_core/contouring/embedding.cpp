@@ -4,6 +4,8 @@
 #include <atomic>
 #include <mutex>
 
+#include <tbb/parallel_for.h>
+
 #include "solids/errors.h"
 #include "solids/triangle_hierarchy.h"
 #include "solids/triangle_pair.h"
@@ -66,44 +68,56 @@ bool sheet_folds(const std::vector<Vec3>& vertices, const Triangle* triangles, s
   return false;
 }
 
-std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded,
-                                       const GoOn& go_on) {
-  return meeting_pairs_rounded(vertices, triangles, rounded ? 7 : 0, go_on);
-}
-
-std::vector<MeetingPair> meeting_pairs_rounded(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, int axes,
-                                               const GoOn& go_on) {
-  const std::vector<Vec3> copy = axes ? rounded_copy(vertices, axes) : std::vector<Vec3>();
-  const std::vector<Vec3>& v = axes ? copy : vertices;
-  std::vector<MeetingPair> found;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    if (has_no_area(v[triangles[t][0]], v[triangles[t][1]], v[triangles[t][2]])) found.emplace_back(t, t);
-  std::vector<char> flat(triangles.size(), 0);
-  for (const MeetingPair& pair : found) flat[pair.first] = 1;
+std::vector<std::vector<MeetingPair>> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                                    const std::vector<RoundedAxes>& roundings, const GoOn& go_on) {
+  struct Version {
+    std::vector<Vec3> copy;
+    const std::vector<Vec3>* vertices;
+    std::vector<char> empty;   // per triangle: without area
+    std::vector<MeetingPair> found;
+  };
+  std::vector<Version> versions(roundings.size());
+  for (std::size_t k = 0; k < roundings.size(); ++k) {
+    Version& v = versions[k];
+    if (roundings[k] != no_axis) v.copy = rounded_copy(vertices, roundings[k]);
+    v.vertices = roundings[k] == no_axis ? &vertices : &v.copy;
+    v.empty.assign(triangles.size(), 0);
+    tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
+      const auto& p = *v.vertices;
+      v.empty[t] = has_no_area(p[triangles[t][0]], p[triangles[t][1]], p[triangles[t][2]]);
+    });
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+      if (v.empty[t]) v.found.emplace_back(t, t);
+  }
   std::mutex mutex;
   std::atomic<bool> stopped{false};
-  std::atomic<std::size_t> tested{0};
-  const TriangleHierarchy hierarchy(v, triangles);
+  // Its boxes reach one float32 step beyond the nearest float32 on every side: they hold for all roundings.
+  const TriangleHierarchy hierarchy(vertices, triangles);
   hierarchy.overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
-    if (go_on && tested.fetch_add(1, std::memory_order_relaxed) % 20000 == 0) {
+    if (go_on && t % 1024 == 0) {
       const std::unique_lock lock(mutex, std::try_to_lock);
       if (lock && !go_on()) stopped = true;
     }
-    if (stopped) return false;
-    if (flat[s] || flat[t] || !meet_outside_shared(v, triangles[s], triangles[t])) return true;
-    const std::lock_guard lock(mutex);
-    found.emplace_back(s, t);
+    if (stopped.load(std::memory_order_relaxed)) return false;
+    for (Version& v : versions) {
+      if (v.empty[s] || v.empty[t] || !meet_outside_shared(*v.vertices, triangles[s], triangles[t])) continue;
+      const std::lock_guard lock(mutex);
+      v.found.emplace_back(s, t);
+    }
     return true;
   });
   if (stopped) throw CancelledError("The run was cancelled.");
-  std::sort(found.begin(), found.end());
+  std::vector<std::vector<MeetingPair>> found;
+  for (Version& v : versions) {
+    std::sort(v.found.begin(), v.found.end());
+    found.push_back(std::move(v.found));
+  }
   return found;
 }
 
-std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                             bool rounded, const GoOn& go_on) {
+std::vector<std::uint32_t> triangles_of(const std::vector<MeetingPair>& pairs) {
   std::vector<std::uint32_t> found;
-  for (const auto& [s, t] : meeting_pairs(vertices, triangles, rounded, go_on)) found.push_back(s), found.push_back(t);
+  for (const auto& [s, t] : pairs) found.push_back(s), found.push_back(t);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -13,18 +13,16 @@ using MeetingPair = std::pair<std::uint32_t, std::uint32_t>;
 /// Asked now and then, from one thread at a time: false to stop. Empty: never.
 using GoOn = std::function<bool()>;
 
-/// All of them, ascending. `rounded`: on float32 coordinates. Throws CancelledError.
-std::vector<MeetingPair> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, bool rounded,
-                                       const GoOn& go_on = {});
+/// Which coordinates are rounded to float32: bit k stands for axis k.
+using RoundedAxes = int;
+constexpr RoundedAxes no_axis = 0, all_axes = 7;
 
-/// The same with only some coordinates rounded: bit k of `axes` stands for axis k.
-std::vector<MeetingPair> meeting_pairs_rounded(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, int axes,
-                                               const GoOn& go_on = {});
+/// For each rounding all pairs that meet, ascending. Throws CancelledError.
+std::vector<std::vector<MeetingPair>> meeting_pairs(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                                    const std::vector<RoundedAxes>& roundings, const GoOn& go_on = {});
 
-/// The triangles of all such pairs, ascending.
-/// `rounded`: on float32 coordinates.
-std::vector<std::uint32_t> meeting_triangles(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                             bool rounded, const GoOn& go_on = {});
+/// The triangles of such pairs, ascending.
+std::vector<std::uint32_t> triangles_of(const std::vector<MeetingPair>& pairs);
 
 /// Does any triangle of one fan meet one of the other? Both index `vertices`; they share no vertex. `rounded_too`: also once
 /// rounded to float32.

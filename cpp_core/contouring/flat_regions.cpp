@@ -6,6 +6,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include <tbb/parallel_for.h>
+
 #include "contouring/embedding.h"
 #include "contouring/flat_polygon.h"
 #include "solids/connectivity.h"
@@ -17,13 +19,17 @@ namespace {
 using Edge = RimEdge;
 
 constexpr std::uint32_t none = UINT32_MAX;
+// Worked on in parallel between two looks at the outside world.
+constexpr std::size_t regions_at_once = 1024;
 
 class Merger {
  public:
   Merger(SurfaceMesh& mesh, double tolerance, const GoOn& go_on) : mesh_(mesh), tolerance_(tolerance), go_on_(go_on) {}
 
   FlatMerge run() {
-    neighbours_ = connect(mesh_.vertices, mesh_.triangles).neighbours;
+    Connectivity connectivity = connect(mesh_.vertices, mesh_.triangles);
+    if (!connectivity.closed_manifold()) return {};
+    neighbours_ = std::move(connectivity.neighbours);
     find_regions();
     std::vector<char> frozen(regions_.size(), 0);
     // Each round freezes at least one region, and a frozen region keeps all its vertices.
@@ -156,16 +162,20 @@ class Merger {
       if (region_[t] != none) rims[region_[t]].push_back(e);
     });
     fresh_.assign(regions_.size(), {});
-    bool ok = true;
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      if (frozen[r]) continue;
-      if (r % 512 == 0 && go_on_ && !go_on_()) throw CancelledError("The run was cancelled.");
-      auto triangles = triangulate(rims[r]);
-      if (triangles)
-        fresh_[r] = std::move(*triangles);
-      else
-        frozen[r] = 1, ok = false;
+    std::vector<char> failed(regions_.size(), 0);
+    for (std::size_t first = 0; first < regions_.size(); first += regions_at_once) {
+      if (go_on_ && !go_on_()) throw CancelledError("The run was cancelled.");
+      tbb::parallel_for(first, std::min(first + regions_at_once, regions_.size()), [&](std::size_t r) {
+        if (frozen[r]) return;
+        if (auto triangles = triangulate(rims[r]))
+          fresh_[r] = std::move(*triangles);
+        else
+          failed[r] = 1;
+      });
     }
+    bool ok = true;
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      if (failed[r]) frozen[r] = 1, ok = false;
     if (!ok) return false;
     new_triangles_.clear();
     new_region_.clear();
@@ -209,17 +219,16 @@ class Merger {
 
   std::vector<char> meeting_regions(FlatMerge& result) const {
     std::vector<char> bad(regions_.size(), 0);
-    for (const bool rounded : {false, true})
-      for (const std::uint32_t t : meeting_triangles(mesh_.vertices, new_triangles_, rounded, go_on_)) {
+    const auto meeting = meeting_pairs(mesh_.vertices, new_triangles_, {no_axis, all_axes}, go_on_);
+    result.embedded = meeting[0].empty();
+    for (const auto& pairs : meeting)
+      for (const std::uint32_t t : triangles_of(pairs))
         if (new_region_[t] != none) bad[new_region_[t]] = 1;
-        if (!rounded) {
-          result.embedded = false;
-          continue;
-        }
-        Box3 box;
-        for (const std::uint32_t v : new_triangles_[t]) box.extend(mesh_.vertices[v]);
-        result.meeting_as_floats.push_back(box);
-      }
+    for (const std::uint32_t t : triangles_of(meeting[1])) {
+      Box3 box;
+      for (const std::uint32_t v : new_triangles_[t]) box.extend(mesh_.vertices[v]);
+      result.meeting_as_floats.push_back(box);
+    }
     return bad;
   }
 

@@ -5,7 +5,7 @@
 // corners that stay. So the surface does not change as a set, up to rounding, and neither does its topology: each region
 // is replaced by a triangulation of the same polygon with the same boundary.
 // Guarantees: closed and manifold as before; embedded in double and in float32, tested exactly: regions whose new triangles
-// meet anything are left as they were. What still meets is said.
+// meet anything are left as they were. What still meets is said. A mesh that is not closed or not manifold stays as it is.
 #pragma once
 
 #include "contouring/embedding.h"
@@ -18,7 +18,7 @@ struct FlatMerge {
   std::vector<Box3> meeting_as_floats;  ///< triangles that meet others once rounded to float32: slivers thinner than its step
 };
 
-/// The mesh must be closed and manifold. Throws CancelledError.
+/// Throws CancelledError.
 FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on = {});
 
 }  // namespace starcell

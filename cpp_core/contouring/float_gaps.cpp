@@ -22,7 +22,7 @@ class Opener {
   bool open() {
     for (int round = 0; round < most_rounds; ++round) {
       const std::vector<MeetingPair> pairs = meeting_if_rounded();
-      if (pairs.empty()) return meeting_pairs(now_, triangles_, false).empty() && is_isotopy();
+      if (pairs.empty()) return meeting_pairs(now_, triangles_, {no_axis}).front().empty() && is_isotopy();
       push_.assign(now_.size(), Vec3::Zero());
       pushes_.assign(now_.size(), 0);
       for (const auto& [s, t] : pairs) {
@@ -56,10 +56,7 @@ class Opener {
   // all three being done is none.
   std::vector<MeetingPair> meeting_if_rounded() const {
     std::vector<MeetingPair> all;
-    for (const int axes : {7, 1, 2, 4}) {
-      const std::vector<MeetingPair> some = meeting_pairs_rounded(now_, triangles_, axes);
-      all.insert(all.end(), some.begin(), some.end());
-    }
+    for (const auto& some : meeting_pairs(now_, triangles_, {all_axes, 1, 2, 4})) all.insert(all.end(), some.begin(), some.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tbb/parallel_sort.h>
+
 #include "contouring/surface_mesh.h"
 #include "numerics/predicates.h"
 
 namespace starcell {
 namespace {
+
+// Ids from here on stand for bends that draw() has just made.
+constexpr std::uint32_t first_bend = 0x80000000u;
 
 double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 d = b - a;
@@ -64,120 +69,164 @@ bool segments_fold(const Vec2& common, const Vec2& a, const Vec2& b) {
 
 void TracePoints::announce(const Arc& arc) {
   if (arc.closed) return;
-  crossings_.push_back(arc.start);
-  crossings_.push_back(arc.end);
+  announced_.push_back(arc.start);
+  announced_.push_back(arc.end);
 }
 
 void TracePoints::place() {
-  std::sort(crossings_.begin(), crossings_.end());
+  tbb::parallel_sort(announced_.begin(), announced_.end());
   std::size_t kept = 0;
-  for (const Crossing& x : crossings_) {
-    if (kept > 0 && crossings_[kept - 1] == x) {
+  for (const Crossing& x : announced_) {
+    if (kept > 0 && announced_[kept - 1] == x) {
       // Known from edges of several sizes: it lies in all of them.
-      Crossing& known = crossings_[kept - 1];
+      Crossing& known = announced_[kept - 1];
       known.low = std::max(known.low, x.low);
       known.high = std::min(known.high, x.high);
     } else {
-      crossings_[kept++] = x;
+      announced_[kept++] = x;
     }
   }
-  crossings_.resize(kept);
-  moved_.assign(kept, 0);
-  const Grid& grid = restriction_.grid();
-  std::vector<std::size_t> order;
+  announced_.resize(kept);
+  std::vector<double> moved(kept, 0);
   for (std::size_t first = 0; first < kept;) {
     std::size_t last = first;
-    order.clear();
-    const Crossing& line = crossings_[first];
-    while (last < kept && crossings_[last].axis == line.axis && crossings_[last].i == line.i && crossings_[last].j == line.j)
-      order.push_back(last++);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      const Crossing &x = crossings_[a], &y = crossings_[b];
-      if (x.low != y.low) return x.low < y.low;
-      if (x.at != y.at) return x.at < y.at;
-      return x.surface < y.surface;
-    });
-    const auto margin_of = [&](const Crossing& x) { return relaxed_.touch(x) ? grid.least_gap() : grid.margin(x.high - x.low); };
-    const auto gap_of = [&](const Crossing& x) { return relaxed_.touch(x) ? grid.least_gap() : grid.gap(x.high - x.low); };
-    const auto gap = [&](std::size_t k) { return std::min(gap_of(crossings_[order[k]]), gap_of(crossings_[order[k + 1]])); };
-    const auto limits = [&](const Crossing& x) {
-      const double margin = margin_of(x);
-      return std::pair(grid.coordinate(x.axis, x.low) + margin, grid.coordinate(x.axis, x.high) - margin);
-    };
-    std::vector<double> at(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const Crossing& x = crossings_[order[k]];
-      const auto [low, high] = limits(x);
-      at[k] = std::clamp(x.at, low, std::max(low, high));
-      if (k > 0) at[k] = std::max(at[k], at[k - 1] + gap(k - 1));
-    }
-    for (std::size_t k = order.size(); k-- > 0;) {
-      double bound = limits(crossings_[order[k]]).second;
-      if (k + 1 < order.size()) bound = std::min(bound, at[k + 1] - gap(k));
-      at[k] = std::min(at[k], bound);
-    }
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      moved_[order[k]] = at[k] - crossings_[order[k]].at;
-      crossings_[order[k]].at = at[k];
-    }
+    const Crossing& line = announced_[first];
+    while (last < kept && announced_[last].axis == line.axis && announced_[last].i == line.i && announced_[last].j == line.j) ++last;
+    place_line(announced_.data() + first, announced_.data() + last, moved.data() + first);
     first = last;
   }
-  for (const Crossing& x : crossings_) {
+  number(moved);
+}
+
+// Keeps the crossings of one line in order, apart from each other and off the ends of their edges.
+void TracePoints::place_line(Crossing* first, Crossing* last, double* moved) const {
+  const Grid& grid = restriction_.grid();
+  std::vector<Crossing*> order;
+  for (Crossing* x = first; x != last; ++x) order.push_back(x);
+  std::sort(order.begin(), order.end(), [](const Crossing* x, const Crossing* y) {
+    if (x->low != y->low) return x->low < y->low;
+    if (x->at != y->at) return x->at < y->at;
+    return x->surface < y->surface;
+  });
+  const auto margin_of = [&](const Crossing& x) { return relaxed_.touch(x) ? grid.least_gap() : grid.margin(x.high - x.low); };
+  const auto gap_of = [&](const Crossing& x) { return relaxed_.touch(x) ? grid.least_gap() : grid.gap(x.high - x.low); };
+  const auto gap = [&](std::size_t k) { return std::min(gap_of(*order[k]), gap_of(*order[k + 1])); };
+  const auto limits = [&](const Crossing& x) {
+    const double margin = margin_of(x);
+    return std::pair(grid.coordinate(x.axis, x.low) + margin, grid.coordinate(x.axis, x.high) - margin);
+  };
+  std::vector<double> at(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto [low, high] = limits(*order[k]);
+    at[k] = std::clamp(order[k]->at, low, std::max(low, high));
+    if (k > 0) at[k] = std::max(at[k], at[k - 1] + gap(k - 1));
+  }
+  for (std::size_t k = order.size(); k-- > 0;) {
+    double bound = limits(*order[k]).second;
+    if (k + 1 < order.size()) bound = std::min(bound, at[k + 1] - gap(k));
+    at[k] = std::min(at[k], bound);
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    moved[order[k] - first] = at[k] - order[k]->at;
+    order[k]->at = at[k];
+  }
+}
+
+// Crossings that the last round knew keep their ids.
+void TracePoints::number(const std::vector<double>& moved) {
+  const Grid& grid = restriction_.grid();
+  for (Move& move : moves_) move.fresh = false;
+  std::vector<Placed> placed;
+  placed.reserve(announced_.size());
+  auto known = placed_.cbegin();
+  for (std::size_t k = 0; k < announced_.size(); ++k) {
+    const Crossing& x = announced_[k];
+    while (known != placed_.cend() && known->crossing < x) ++known;
+    const bool has_id = known != placed_.cend() && known->crossing == x;
+    const auto id = has_id ? known->id : static_cast<std::uint32_t>(vertices_.size());
+    if (!has_id) {
+      vertices_.emplace_back();
+      moves_.emplace_back();
+    }
     Vec3 p;
     p[x.axis] = x.at;
     p[(x.axis + 1) % 3] = grid.coordinate((x.axis + 1) % 3, x.i);
     p[(x.axis + 2) % 3] = grid.coordinate((x.axis + 2) % 3, x.j);
-    vertices_.push_back(p);
+    moves_[id] = {moved[k], x.axis, !has_id || p != vertices_[id]};
+    vertices_[id] = p;
+    placed.push_back({x, id});
   }
+  placed_ = std::move(placed);
+  announced_ = {};
 }
 
 std::uint32_t TracePoints::vertex_of(const Crossing& x) const {
-  return static_cast<std::uint32_t>(std::lower_bound(crossings_.begin(), crossings_.end(), x) - crossings_.begin());
+  return std::lower_bound(placed_.begin(), placed_.end(), x, [](const Placed& p, const Crossing& y) { return p.crossing < y; })->id;
+}
+
+const Vec3& TracePoints::at(const TracedFace& drawn, std::uint32_t id) const {
+  return id >= first_bend ? drawn.bends[id - first_bend] : vertices_[id];
 }
 
 double TracePoints::margin_of(const Face& face) const {
   return relaxed_.touch(face) ? restriction_.grid().least_gap() : restriction_.grid().margin(face.size);
 }
 
-Vec3 TracePoints::move_of(const Crossing& x) const {
+bool TracePoints::moved(const TracedArc& arc) const {
+  if (arc.vertices.empty()) return true;  // it could not be drawn
+  return moves_[arc.vertices.front()].fresh || moves_[arc.vertices.back()].fresh;
+}
+
+Vec3 TracePoints::move_of(std::uint32_t crossing) const {
   Vec3 move = Vec3::Zero();
-  move[x.axis] = moved_[vertex_of(x)];
+  move[moves_[crossing].axis] = moves_[crossing].by;
   return move;
 }
 
-void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedArc& drawn) {
+void TracePoints::adopt(TracedFace& face) {
+  const auto base = static_cast<std::uint32_t>(vertices_.size());
+  for (TracedArc& arc : face.arcs)
+    for (std::uint32_t& id : arc.vertices)
+      if (id >= first_bend) id = id - first_bend + base;
+  vertices_.insert(vertices_.end(), face.bends.begin(), face.bends.end());
+  moves_.resize(vertices_.size());
+  face.bends = {};
+}
+
+void TracePoints::draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedFace& drawn,
+                           TracedArc& traced) const {
   const Grid& grid = restriction_.grid();
   const std::uint32_t start = vertex_of(arc.start), end = vertex_of(arc.end);
-  drawn.vertices.push_back(start);
+  traced.vertices.push_back(start);
   std::size_t previous = 0;
   const double margin = margin_of(face);
   const double exact = 1e-12 * std::max(vertices_[start].cwiseAbs().maxCoeff(), grid.unit);
-  std::vector<double> moves{std::abs(moved_[start])};
+  std::vector<double> moves{std::abs(moves_[start].by)};
   for (const std::size_t bend : kept) {
     Vec3 p = arc.bends[bend];
     const Vec3 low = grid.point(face.corner(0, 0)), high = grid.point(face.corner(1, 1));
     for (const int axis : {face.b_axis(), face.c_axis()})
       p[axis] = std::clamp(p[axis], low[axis] + margin, high[axis] - margin);
     moves.push_back((p - arc.bends[bend]).norm());
-    drawn.surfaces.push_back(bend == previous ? arc.surfaces[bend] : no_surface);
+    traced.surfaces.push_back(bend == previous ? arc.surfaces[bend] : no_surface);
     previous = bend + 1;
-    drawn.vertices.push_back(static_cast<std::uint32_t>(vertices_.size()));
-    vertices_.push_back(p);
+    traced.vertices.push_back(first_bend + static_cast<std::uint32_t>(drawn.bends.size()));
+    drawn.bends.push_back(p);
   }
-  drawn.surfaces.push_back(previous == arc.bends.size() ? arc.surfaces.back() : no_surface);
-  drawn.vertices.push_back(end);
-  moves.push_back(std::abs(moved_[end]));
+  traced.surfaces.push_back(previous == arc.bends.size() ? arc.surfaces.back() : no_surface);
+  traced.vertices.push_back(end);
+  moves.push_back(std::abs(moves_[end].by));
   double moved = 0;
-  for (std::size_t k = 0; k < drawn.surfaces.size(); ++k) {
-    if (moves[k] > exact || moves[k + 1] > exact || arc.contact) drawn.surfaces[k] = no_surface;
+  for (std::size_t k = 0; k < traced.surfaces.size(); ++k) {
+    if (moves[k] > exact || moves[k + 1] > exact || arc.contact) traced.surfaces[k] = no_surface;
     moved = std::max({moved, moves[k], moves[k + 1]});
   }
-  drawn.gap += moved;
+  traced.gap += moved;
 }
 
 // A closed curve keeps all its bends, unless float32 could not: then a triangle around its middle stands for it, wide enough
 // that nothing that is moved less than the margin can have passed over that middle.
-bool TracePoints::draw_closed(const Face& face, const Arc& arc, TracedArc& drawn) {
+bool TracePoints::draw_closed(const Face& face, const Arc& arc, TracedFace& drawn, TracedArc& traced) const {
   const Grid& grid = restriction_.grid();
   const int b = face.b_axis(), c = face.c_axis();
   const double margin = margin_of(face);
@@ -186,15 +235,15 @@ bool TracePoints::draw_closed(const Face& face, const Arc& arc, TracedArc& drawn
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : arc.bends) box.extend(p), middle += p / static_cast<double>(arc.bends.size());
   const double extent = box.sizes().maxCoeff();
-  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  const auto first = drawn.bends.size();
   if (extent >= 8 * margin) {
     for (const Vec3& bend : arc.bends) {
       Vec3 p = bend;
       for (const int axis : {b, c}) p[axis] = std::clamp(p[axis], low[axis] + margin, high[axis] - margin);
-      drawn.gap = std::max(drawn.gap, (p - bend).norm());
-      vertices_.push_back(p);
+      traced.gap = std::max(traced.gap, (p - bend).norm());
+      drawn.bends.push_back(p);
     }
-    drawn.surfaces = arc.surfaces;
+    traced.surfaces = arc.surfaces;
   } else {
     double area = 0;
     for (std::size_t k = 0; k < arc.bends.size(); ++k) {
@@ -211,62 +260,68 @@ bool TracePoints::draw_closed(const Face& face, const Arc& arc, TracedArc& drawn
       Vec3 p = middle;
       p[b] += radius * std::cos(angle);
       p[c] += radius * std::sin(angle);
-      vertices_.push_back(p);
+      drawn.bends.push_back(p);
     }
-    drawn.gap = 2 * (extent + radius + margin);
-    drawn.surfaces.assign(3, no_surface);
+    traced.gap = 2 * (extent + radius + margin);
+    traced.surfaces.assign(3, no_surface);
   }
-  for (auto v = first; v < vertices_.size(); ++v) drawn.vertices.push_back(v);
-  drawn.vertices.push_back(first);
-  if (drawn.gap > 1e-12 * std::max(box.max().cwiseAbs().maxCoeff(), grid.unit))
-    std::fill(drawn.surfaces.begin(), drawn.surfaces.end(), no_surface);
+  for (std::size_t k = first; k < drawn.bends.size(); ++k) traced.vertices.push_back(first_bend + static_cast<std::uint32_t>(k));
+  traced.vertices.push_back(traced.vertices.front());
+  if (traced.gap > 1e-12 * std::max(box.max().cwiseAbs().maxCoeff(), grid.unit))
+    std::fill(traced.surfaces.begin(), traced.surfaces.end(), no_surface);
   return true;
 }
 
-bool TracePoints::draw(const Face& face, const std::vector<const Arc*>& arcs, double tolerance,
-                       std::vector<TracedArc>& drawn) {
-  const std::size_t vertices_before = vertices_.size();
+TracedFace TracePoints::draw(const Face& face, const std::vector<Arc>& arcs, double tolerance) const {
   // Beside a closed curve nothing may be moved far: it could come to lie on the other side of an arc.
-  const bool any_closed = std::any_of(arcs.begin(), arcs.end(), [](const Arc* a) { return a->closed; });
+  const bool any_closed = std::any_of(arcs.begin(), arcs.end(), [](const Arc& a) { return a.closed; });
   if (any_closed) tolerance = 0;
+  const bool floats = restriction_.grid().holds_floats(face.size) && !relaxed_.touch(face);
   // With all bends that matter; if those do not keep apart after rounding, with as few as possible.
+  TracedFace drawn;
   for (const bool coarse : {false, true}) {
-    if (coarse && any_closed) return false;
-    drawn.assign(arcs.size(), TracedArc{});
-    vertices_.resize(vertices_before);
-    for (std::size_t a = 0; a < arcs.size(); ++a) {
-      const Arc& arc = *arcs[a];
-      if (arc.closed) {
-        if (!draw_closed(face, arc, drawn[a])) return false;
-        continue;
-      }
-      std::vector<Vec3> points{vertices_[vertex_of(arc.start)]};
-      points.insert(points.end(), arc.bends.begin(), arc.bends.end());
-      points.push_back(vertices_[vertex_of(arc.end)]);
-      std::vector<bool> keep(points.size(), !coarse && tolerance == 0);
-      if (coarse || tolerance > 0)
-        thin(points, 0, points.size() - 1, coarse ? 1e300 : tolerance, keep, drawn[a].gap);
-      // Both ends on one edge: the chord would lie on the edge.
-      const bool same_edge = arc.start.axis == arc.end.axis && arc.start.i == arc.end.i && arc.start.j == arc.end.j;
-      if (same_edge && std::none_of(keep.begin() + 1, keep.end() - 1, [](bool k) { return k; }) && !arc.bends.empty()) {
-        std::size_t far = 1;
-        for (std::size_t k = 2; k + 1 < points.size(); ++k)
-          if (segment_distance(points[k], points.front(), points.back()) >
-              segment_distance(points[far], points.front(), points.back()))
-            far = k;
-        keep[far] = true;
-      }
-      std::vector<std::size_t> kept;
-      for (std::size_t k = 1; k + 1 < points.size(); ++k)
-        if (keep[k]) kept.push_back(k - 1);
-      draw_arc(face, arc, kept, drawn[a]);
-    }
-    if (disjoint(face, drawn, false) && (!restriction_.grid().holds_floats(face.size) || relaxed_.touch(face) || disjoint(face, drawn, true))) return true;
+    if (coarse && any_closed) break;
+    drawn.arcs.assign(arcs.size(), TracedArc{});
+    drawn.bends.clear();
+    if (!draw_arcs(face, arcs, tolerance, coarse, drawn)) break;
+    drawn.drawn = disjoint(face, drawn, false) && (!floats || disjoint(face, drawn, true));
+    if (drawn.drawn) break;
   }
-  return false;
+  return drawn;
 }
 
-bool TracePoints::disjoint(const Face& face, const std::vector<TracedArc>& arcs, bool rounded) const {
+bool TracePoints::draw_arcs(const Face& face, const std::vector<Arc>& arcs, double tolerance, bool coarse, TracedFace& drawn) const {
+  for (std::size_t a = 0; a < arcs.size(); ++a) {
+    const Arc& arc = arcs[a];
+    TracedArc& traced = drawn.arcs[a];
+    if (arc.closed) {
+      if (!draw_closed(face, arc, drawn, traced)) return false;
+      continue;
+    }
+    std::vector<Vec3> points{vertices_[vertex_of(arc.start)]};
+    points.insert(points.end(), arc.bends.begin(), arc.bends.end());
+    points.push_back(vertices_[vertex_of(arc.end)]);
+    std::vector<bool> keep(points.size(), !coarse && tolerance == 0);
+    if (coarse || tolerance > 0) thin(points, 0, points.size() - 1, coarse ? 1e300 : tolerance, keep, traced.gap);
+    // Both ends on one edge: the chord would lie on the edge.
+    const bool same_edge = arc.start.axis == arc.end.axis && arc.start.i == arc.end.i && arc.start.j == arc.end.j;
+    if (same_edge && std::none_of(keep.begin() + 1, keep.end() - 1, [](bool k) { return k; }) && !arc.bends.empty()) {
+      std::size_t far = 1;
+      for (std::size_t k = 2; k + 1 < points.size(); ++k)
+        if (segment_distance(points[k], points.front(), points.back()) > segment_distance(points[far], points.front(), points.back()))
+          far = k;
+      keep[far] = true;
+    }
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 1; k + 1 < points.size(); ++k)
+      if (keep[k]) kept.push_back(k - 1);
+    draw_arc(face, arc, kept, drawn, traced);
+  }
+  return true;
+}
+
+bool TracePoints::disjoint(const Face& face, const TracedFace& drawn, bool rounded) const {
+  const std::vector<TracedArc>& arcs = drawn.arcs;
   struct Segment {
     Vec2 p, q;
     std::size_t arc, index;
@@ -274,7 +329,7 @@ bool TracePoints::disjoint(const Face& face, const std::vector<TracedArc>& arcs,
   std::vector<Segment> segments;
   for (std::size_t a = 0; a < arcs.size(); ++a)
     for (std::size_t k = 0; k + 1 < arcs[a].vertices.size(); ++k) {
-      const Vec3 p = vertices_[arcs[a].vertices[k]], q = vertices_[arcs[a].vertices[k + 1]];
+      const Vec3 p = at(drawn, arcs[a].vertices[k]), q = at(drawn, arcs[a].vertices[k + 1]);
       segments.push_back({project(rounded ? to_float(p) : p, face.axis), project(rounded ? to_float(q) : q, face.axis), a, k});
     }
   if (segments.size() == 1) return true;

@@ -5,7 +5,7 @@
 // order on edges, not its exact positions (trace theorem), and the move is part of the error bound.
 #pragma once
 
-#include <unordered_map>
+#include <cstdint>
 #include <vector>
 
 #include "contouring/relaxed_cells.h"
@@ -23,34 +23,62 @@ struct TracedArc {
   bool closed() const { return vertices.front() == vertices.back(); }
 };
 
+/// The arcs of one minimal face, in their order.
+struct TracedFace {
+  std::vector<TracedArc> arcs;
+  std::vector<Vec3> bends;   ///< between draw() and adopt(): vertices that have no id yet
+  bool drawn = false;        ///< false: they cannot be drawn disjointly
+};
+
+/// Vertices keep their ids from round to round; those that no face uses any more stay as gaps in the numbering.
 class TracePoints {
  public:
-  TracePoints(const Restriction& restriction, const RelaxedCells& relaxed, std::vector<Vec3>& vertices)
-      : restriction_(restriction), relaxed_(relaxed), vertices_(vertices) {}
+  TracePoints(const Restriction& restriction, const RelaxedCells& relaxed) : restriction_(restriction), relaxed_(relaxed) {}
 
-  /// Registers the crossings of an arc on a minimal face; call for all arcs before place().
+  /// Registers the crossings of an arc on a minimal face; each round all arcs before place().
   void announce(const Arc& arc);
   void place();
 
-  /// The arcs of one minimal face, bends thinned to within `tolerance` (0: all stay). False if they cannot be drawn disjointly.
-  bool draw(const Face& face, const std::vector<const Arc*>& arcs, double tolerance, std::vector<TracedArc>& drawn);
+  /// Draws the arcs of one minimal face, bends thinned to within `tolerance` (0: all stay). Safe to call in parallel.
+  TracedFace draw(const Face& face, const std::vector<Arc>& arcs, double tolerance) const;
+  /// Gives a drawn face's bends their ids.
+  void adopt(TracedFace& face);
 
-  /// How a crossing was moved.
-  Vec3 move_of(const Crossing& x) const;
+  /// Has the last place() put any vertex of the arc elsewhere than it was?
+  bool moved(const TracedArc& arc) const;
+  /// How a vertex that is a crossing was moved off E's, along its line.
+  Vec3 move_of(std::uint32_t crossing) const;
+
+  const std::vector<Vec3>& vertices() const { return vertices_; }
 
  private:
-  std::uint32_t vertex_of(const Crossing& x) const;
-  bool disjoint(const Face& face, const std::vector<TracedArc>& arcs, bool rounded) const;
-  bool draw_closed(const Face& face, const Arc& arc, TracedArc& drawn);
-  void draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedArc& drawn);
+  struct Placed {
+    Crossing crossing;
+    std::uint32_t id;
+  };
+  /// What the last place() did to a vertex; bends never move.
+  struct Move {
+    double by = 0;
+    std::uint8_t axis = 0;
+    bool fresh = false;
+  };
 
+  void place_line(Crossing* first, Crossing* last, double* moved) const;
+  void number(const std::vector<double>& moved);
+  std::uint32_t vertex_of(const Crossing& x) const;
+  const Vec3& at(const TracedFace& drawn, std::uint32_t id) const;
+  bool disjoint(const Face& face, const TracedFace& drawn, bool rounded) const;
+  bool draw_arcs(const Face& face, const std::vector<Arc>& arcs, double tolerance, bool coarse, TracedFace& drawn) const;
+  bool draw_closed(const Face& face, const Arc& arc, TracedFace& drawn, TracedArc& traced) const;
+  void draw_arc(const Face& face, const Arc& arc, const std::vector<std::size_t>& kept, TracedFace& drawn, TracedArc& traced) const;
   double margin_of(const Face& face) const;
 
   const Restriction& restriction_;
   const RelaxedCells& relaxed_;
-  std::vector<Vec3>& vertices_;
-  std::vector<Crossing> crossings_;      // sorted, unique, after place()
-  std::vector<double> moved_;            // along their lines
+  std::vector<Crossing> announced_;
+  std::vector<Placed> placed_;           // sorted by crossing
+  std::vector<Vec3> vertices_;
+  std::vector<Move> moves_;              // per vertex
 };
 
 }  // namespace starcell

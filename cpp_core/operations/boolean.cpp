@@ -10,11 +10,9 @@
 
 #include "certificate/topology.h"
 #include "contouring/contour.h"
-#include "contouring/embedding.h"
 #include "contouring/flat_regions.h"
 #include "contouring/float_gaps.h"
 #include "operations/operands.h"
-#include "solids/connectivity.h"
 #include "solids/errors.h"
 #include "subdivision/grazes.h"
 #include "subdivision/root_box.h"
@@ -287,23 +285,23 @@ class Evaluation {
   Contour refine_until_good(const Restriction& restriction, Subdivision& subdivision, Octree& tree,
                             const AcceptanceSettings& settings) {
     const Grid& grid = restriction.grid();
-    ContourSettings contouring{settings.error, settings.pull, {}, [&] { tell(0.8, "contouring"); }};
+    Contouring contouring(restriction, tree, {settings.error, settings.pull, [&] { tell(0.8, "contouring"); }});
     for (int round = 0;; ++round) {
-      Contour made = contour(restriction, tree, contouring);
+      const std::vector<Cell> failed = contouring.round();
       result_.certificate.statistics["contour_rounds"] = round + 1;
       bool changed = false;
       if (round < most_rounds && !subdivision.exhausted())
-        for (const Cell& cell : made.failed) {
-          const bool relax = (round >= patient_rounds || grid.length(cell.size) < 4096 * grid.step) && !contouring.relaxed.has(cell);
-          if (relax) contouring.relaxed.add(cell);
+        for (const Cell& cell : failed) {
+          const bool relax = (round >= patient_rounds || grid.length(cell.size) < 4096 * grid.step) && !contouring.is_relaxed(cell);
+          if (relax) contouring.relax(cell);
           changed = relax || subdivision.refine(tree, cell) || changed;
         }
       if (!changed) {
-        for (const Cell& cell : made.failed) {
+        for (const Cell& cell : failed) {
           OctreeNode* node = tree.node_of(cell);
           if (node->leaf) node->leaf->resolved = false;
         }
-        return made;
+        return contouring.mesh();
       }
     }
   }
@@ -313,20 +311,19 @@ class Evaluation {
   void finish(Run& run) {
     Certificate& c = result_.certificate;
     SurfaceMesh& mesh = run.contour.mesh;
-    FlatMerge merge;
-    if (connect(mesh.vertices, mesh.triangles).closed_manifold())
-      merge = merge_flat_regions(mesh, 1e-11 * scale(), [this] { return report_progress(0.9, "merging flat regions"); });
+    const FlatMerge merge = merge_flat_regions(mesh, 1e-11 * scale(), [this] { return report_progress(0.9, "merging flat regions"); });
+    bool floats_meet = !merge.meeting_as_floats.empty();
     c.error_bound = tolerances_.inputs + run.operands_moved + run.contour.bound + merge.moved;
     c.unresolved = std::move(run.unresolved);
     c.contacts = std::move(run.contacts);
     statistics_.leaves = run.leaves;
-    if (merge.embedded && !merge.meeting_as_floats.empty()) {
+    if (merge.embedded && floats_meet) {
       const FloatGaps gaps = open_float_gaps(mesh.vertices, mesh.triangles, std::min(0.05 * tolerances_.error, 64 * run.grid.step));
       c.error_bound += gaps.moved;
-      if (gaps.opened) merge.meeting_as_floats.clear();
+      floats_meet = !gaps.opened;
     }
     if (merge.embedded) {
-      c.unresolved.insert(c.unresolved.end(), merge.meeting_as_floats.begin(), merge.meeting_as_floats.end());
+      if (floats_meet) c.unresolved.insert(c.unresolved.end(), merge.meeting_as_floats.begin(), merge.meeting_as_floats.end());
       result_.vertices = std::move(mesh.vertices);
       result_.triangles = std::move(mesh.triangles);
     } else {

@@ -32,14 +32,14 @@ bool TriangleHierarchy::meet(const Bounds& a, const Bounds& b) {
          (a.lower[2] <= b.upper[2]) & (b.lower[2] <= a.upper[2]);
 }
 
-TriangleHierarchy::TriangleHierarchy(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles)
+TriangleHierarchy::TriangleHierarchy(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double reach)
     : leaves_(triangles.size()) {
   tbb::parallel_for(std::size_t(0), triangles.size(), [&](std::size_t t) {
     const Vec3 &a = vertices[triangles[t][0]], &b = vertices[triangles[t][1]], &c = vertices[triangles[t][2]];
     leaves_[t].triangle = static_cast<std::uint32_t>(t);
     for (int axis = 0; axis < 3; ++axis) {
-      leaves_[t].bounds.lower[axis] = rounded_down(std::min({a[axis], b[axis], c[axis]}));
-      leaves_[t].bounds.upper[axis] = rounded_up(std::max({a[axis], b[axis], c[axis]}));
+      leaves_[t].bounds.lower[axis] = rounded_down(std::min({a[axis], b[axis], c[axis]}) - reach);
+      leaves_[t].bounds.upper[axis] = rounded_up(std::max({a[axis], b[axis], c[axis]}) + reach);
     }
   });
   while ((leaves_.size() >> depth_) > kTrianglesPerLeaf) ++depth_;

@@ -1,5 +1,5 @@
-// A bounding-box tree over a mesh's triangles, for the two questions that validation asks: which pairs of triangles
-// may meet, and which triangles may lie above a point.
+// A bounding-box tree over triangles, for two questions: which pairs of them may meet, and which of them may lie above a
+// point.
 // Guarantees: conservative (boxes are float32, rounded outward); the same tree for any number of threads.
 #pragma once
 
@@ -13,8 +13,8 @@ namespace starcell {
 
 class TriangleHierarchy {
  public:
-  /// Coordinates must be finite.
-  TriangleHierarchy(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
+  /// Coordinates must be finite. Boxes are widened by `reach` on every side.
+  TriangleHierarchy(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double reach = 0);
 
   /// Calls visit(s, t), in parallel, for every pair s < t whose boxes meet, once. A visit that returns false asks to
   /// stop soon; further visits may still come.

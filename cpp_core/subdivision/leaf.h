@@ -53,6 +53,7 @@ struct Leaf {
   std::vector<Sheet> sheets;
   bool resolved = true;
   bool contact = false;
+  std::uint32_t number = UINT32_MAX;      ///< contouring's name for it, once it has one
 };
 
 }  // namespace starcell

@@ -1,17 +1,13 @@
 #include "subdivision/near_facets.h"
 
 #include <algorithm>
-#include <numeric>
 
-#include <CGAL/box_intersection_d.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "solids/triangle_hierarchy.h"
 
 namespace starcell {
 namespace {
-
-// Operands are searched pair by pair up to this many; more of them all at once.
-constexpr std::size_t few_operands = 8;
-
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const std::uint32_t*>;
 
 Box3 padded_box(const FacetTable& table, std::uint32_t f, double reach) {
   const Box3 box = table.box(f);
@@ -35,30 +31,22 @@ std::vector<Box3> others_boxes(const FacetTable& table, double reach) {
 
 std::vector<FacetPair> near_facets(const FacetTable& table, double reach) {
   const std::vector<Box3> others = others_boxes(table, reach);
-  std::vector<std::uint32_t> ids(table.size());
-  std::iota(ids.begin(), ids.end(), 0u);
-  std::vector<std::vector<Box>> boxes(table.first.size() - 1);
-  for (std::size_t s = 0; s < boxes.size(); ++s)
-    for (std::uint32_t f = table.first[s]; f < table.first[s + 1]; ++f) {
-      const Box3 box = padded_box(table, f, reach);
-      if (!box.intersects(others[s])) continue;
-      boxes[s].emplace_back(CGAL::Bbox_3(box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()),
-                            &ids[f]);
-    }
+  std::vector<std::uint32_t> facets, operand;
+  std::vector<Triangle> corners;
+  for (std::uint32_t s = 0; s < others.size(); ++s)
+    for (std::uint32_t f = table.first[s]; f < table.first[s + 1]; ++f)
+      if (padded_box(table, f, reach).intersects(others[s])) {
+        facets.push_back(f);
+        operand.push_back(s);
+        corners.push_back(table.corners[f]);
+      }
+  tbb::enumerable_thread_specific<std::vector<FacetPair>> found;
+  TriangleHierarchy(table.points, corners, 0.5 * reach).overlapping_pairs([&](std::uint32_t a, std::uint32_t b) {
+    if (operand[a] != operand[b]) found.local().emplace_back(facets[a], facets[b]);
+    return true;
+  });
   std::vector<FacetPair> pairs;
-  const auto visit = [&](const Box& a, const Box& b) {
-    const auto [f, g] = std::minmax(*a.handle(), *b.handle());
-    if (boxes.size() <= few_operands || table.operand_of(f) != table.operand_of(g)) pairs.emplace_back(f, g);
-  };
-  if (boxes.size() <= few_operands) {
-    for (std::size_t s = 0; s < boxes.size(); ++s)
-      for (std::size_t t = s + 1; t < boxes.size(); ++t)
-        CGAL::box_intersection_d(boxes[s].begin(), boxes[s].end(), boxes[t].begin(), boxes[t].end(), visit);
-  } else {
-    std::vector<Box> all;
-    for (const auto& some : boxes) all.insert(all.end(), some.begin(), some.end());
-    CGAL::box_self_intersection_d(all.begin(), all.end(), visit);
-  }
+  for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -26,6 +26,7 @@ bool PlaneArrangement::build(std::size_t max_planes) {
   {
     const Rounding rounding;
     make_planes();
+    find_reach();
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       if (!cut_plane(static_cast<int>(i))) return false;
   }
@@ -45,6 +46,39 @@ void PlaneArrangement::make_planes() {
     p.d = Interval(side % 2 ? size : 0.0);
     planes_.push_back(p);
   }
+}
+
+// On which sides of plane j do the facets of plane i have anything? What lies on the other side cannot be covered by them:
+// with all corners on facets of j, or certainly above j, a facet lies above the lowest of the planes that j's interval
+// encloses, and everything that is certainly under j lies under that one.
+void PlaneArrangement::find_reach() {
+  const std::size_t n = surfaces_.size();
+  reach_.assign(n * n, local_.empty() ? 0 : 3);
+  if (!local_.empty()) return;   // planes of different normals in one interval: none of them is the lowest
+  const FacetTable& table = restriction_.table();
+  std::vector<std::vector<std::uint32_t>> corners(n);
+  for (const std::uint32_t f : problem_.facets) {
+    const std::size_t i = static_cast<std::size_t>(std::lower_bound(surfaces_.begin(), surfaces_.end(), table.surface[f]) - surfaces_.begin());
+    corners[i].insert(corners[i].end(), table.corners[f].begin(), table.corners[f].end());
+  }
+  for (auto& some : corners) {
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (const std::uint32_t v : corners[i]) {
+      Interval3 x;
+      x.x = Interval(table.points[v].x()) - Interval(box_.min().x());
+      x.y = Interval(table.points[v].y()) - Interval(box_.min().y());
+      x.z = Interval(table.points[v].z()) - Interval(box_.min().z());
+      for (std::size_t j = 0; j < n; ++j) {
+        if (j == i || reach_[i * n + j] == 3 || std::binary_search(corners[j].begin(), corners[j].end(), v)) continue;
+        const int sign = certain_sign(value(planes_[j], x));
+        reach_[i * n + j] |= sign > 0 ? 1 : sign < 0 ? 2 : 3;
+      }
+    }
+  for (char& reach : reach_)
+    if (reach == 0) reach = 3;   // all corners on j: the planes are too close to tell
 }
 
 // Cramer's rule in intervals.
@@ -134,17 +168,20 @@ bool PlaneArrangement::cut_plane(int i) {
   if (whole.corner.empty()) return true;
   whole.side.assign(surfaces_.size(), 0);
   std::vector<PlanePolygon> parts{std::move(whole)}, next;
-  for (int j = 0; j < count(); ++j) {
-    if (j == i) continue;
-    next.clear();
-    for (PlanePolygon& part : parts)
-      if (!split(part, j, next)) return false;
-    parts.swap(next);
-  }
+  // First the planes that leave one side only.
+  for (const bool both : {false, true})
+    for (int j = 0; j < count(); ++j) {
+      if (j == i || both != (reaches(i, j, 1) && reaches(i, j, -1))) continue;
+      next.clear();
+      for (PlanePolygon& part : parts)
+        if (!split(part, j, next)) return false;
+      parts.swap(next);
+    }
   for (PlanePolygon& part : parts) polygons_.push_back(std::move(part));
   return true;
 }
 
+// Parts that no facet of their plane can cover are dropped at once: few of the arrangement's are left.
 bool PlaneArrangement::split(PlanePolygon& part, int j, std::vector<PlanePolygon>& out) {
   const std::size_t n = part.corner.size();
   std::vector<int> sign(n);
@@ -156,10 +193,11 @@ bool PlaneArrangement::split(PlanePolygon& part, int j, std::vector<PlanePolygon
   }
   if (!above || !under) {
     part.side[j] = above ? 1 : -1;
-    out.push_back(std::move(part));
+    if (reaches(part.plane, j, part.side[j])) out.push_back(std::move(part));
     return true;
   }
   for (const int keep : {1, -1}) {
+    if (!reaches(part.plane, j, keep)) continue;
     PlanePolygon half;
     half.plane = part.plane;
     half.side = part.side;

@@ -51,6 +51,8 @@ class PlaneArrangement {
   int point(const PointName& name);
   bool start_polygon(int i, PlanePolygon& polygon);
   bool turn_to_normal(PlanePolygon& polygon) const;
+  void find_reach();
+  bool reaches(int i, int j, int side) const { return reach_[static_cast<std::size_t>(i * count() + j)] & (side > 0 ? 1 : 2); }
   bool cut_plane(int i);
   bool split(PlanePolygon& part, int j, std::vector<PlanePolygon>& out);
   bool keep_boundary();
@@ -65,6 +67,7 @@ class PlaneArrangement {
   std::vector<std::uint32_t> surfaces_;
   std::vector<Plane> planes_;
   std::vector<int> corner_sign_;
+  std::vector<char> reach_;   // per plane i and j: bit 0, 1: facets of i may reach to the positive, negative side of j
   std::map<PointName, int> index_;
   std::vector<Interval3> points_;
   std::vector<PointName> names_;

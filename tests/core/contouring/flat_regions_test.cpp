@@ -55,6 +55,15 @@ TEST(FlatRegions, WhatIsNotKnownToBeFlatStays) {
   EXPECT_EQ(mesh.triangles.size(), before);
 }
 
+// With a triangle missing there is nothing to promise: neither is it merged nor called embedded.
+TEST(FlatRegions, AnOpenMeshStaysAsItIs) {
+  SurfaceMesh mesh = fine_box(1);
+  mesh.triangles.pop_back(), mesh.surface.pop_back();
+  const std::vector<Triangle> before = mesh.triangles;
+  EXPECT_FALSE(merge_flat_regions(mesh, 1e-12).embedded);
+  EXPECT_EQ(mesh.triangles, before);
+}
+
 // A convex mesh without two coplanar neighbours: nothing to merge.
 TEST(FlatRegions, ACurvedMeshIsLeftAlone) {
   const Mesh ball = sphere(2);

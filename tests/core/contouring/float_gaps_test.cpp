@@ -15,13 +15,13 @@ using namespace sample;
 // A plate near z = 100, where float32 steps are 7.6e-6 wide, and a tenth of a step thick: rounded, its sides coincide.
 TEST(FloatGaps, AThinPlateIsOpened) {
   Mesh plate = box({100, 100, 100}, {103, 102, 100 + 7e-7});
-  ASSERT_TRUE(meeting_pairs(plate.vertices, plate.triangles, false).empty());
-  ASSERT_FALSE(meeting_pairs(plate.vertices, plate.triangles, true).empty());
+  ASSERT_TRUE(meeting_pairs(plate.vertices, plate.triangles, {no_axis}).front().empty());
+  ASSERT_FALSE(meeting_pairs(plate.vertices, plate.triangles, {all_axes}).front().empty());
   const FloatGaps gaps = open_float_gaps(plate.vertices, plate.triangles, 1e-3);
   ASSERT_TRUE(gaps.opened);
   EXPECT_LT(gaps.moved, 10 * 7.6e-6);
-  EXPECT_TRUE(meeting_pairs(plate.vertices, plate.triangles, false).empty());
-  EXPECT_TRUE(meeting_pairs(plate.vertices, plate.triangles, true).empty());
+  EXPECT_TRUE(meeting_pairs(plate.vertices, plate.triangles, {no_axis}).front().empty());
+  EXPECT_TRUE(meeting_pairs(plate.vertices, plate.triangles, {all_axes}).front().empty());
   EXPECT_GT(volume(plate.vertices, plate.triangles), 0) << "not turned inside out";
 }
 
