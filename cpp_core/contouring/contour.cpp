@@ -34,6 +34,7 @@ std::vector<Cell> Contouring::round() {
   number_leaves();
   std::vector<std::vector<MinimalFace>> around(leaves_.size());
   for_leaves([&](std::size_t k) { around[k] = minimal_faces(tree_, *leaves_[k]); });
+  for_leaves([&](std::size_t k) { forget_doubled_arcs(*leaves_[k], around[k]); });
   draw_faces(around);
   for_leaves([&](std::size_t k) { fill(*leaves_[k], around[k]); });
   std::vector<Cell> failed;
@@ -43,6 +44,14 @@ std::vector<Cell> Contouring::round() {
   }
   std::sort(failed.begin(), failed.end(), [](const Cell& a, const Cell& b) { return a.lower < b.lower; });
   return failed;
+}
+
+// The same arcs stand in both neighbours. Whoever does not own a face never will: when the owner is refined its children
+// are the finer ones.
+void Contouring::forget_doubled_arcs(Leaf& leaf, const std::vector<MinimalFace>& around) {
+  for (int side = 0; side < 6; ++side)
+    if (std::none_of(around.begin(), around.end(), [&](const MinimalFace& f) { return f.owner == &leaf && f.owner_side == side; }))
+      leaf.arcs[side] = {};
 }
 
 // A face that was drawn in an earlier round stays as it is unless a crossing on it has been moved or its mode has changed.
@@ -91,12 +100,13 @@ void Contouring::fill(const Leaf& leaf, const std::vector<MinimalFace>& around) 
   piece = {make_piece(restriction_, leaf, faces, points_, settings), around.size(), relaxed, true};
 }
 
-Contour Contouring::mesh() const {
+Contour Contouring::take() {
   Contour result;
   SurfaceMesh& mesh = result.mesh;
   std::vector<std::uint32_t> id(points_.vertices().size(), UINT32_MAX);
+  drawn_.clear();
   for (const Leaf* leaf : leaves_) {
-    const CellPiece& piece = pieces_[leaf->number].piece;
+    const CellPiece piece = std::move(pieces_[leaf->number].piece);
     result.bound = std::max(result.bound, piece.bound);
     for (const std::uint32_t v : piece.rim)
       if (id[v] == UINT32_MAX) {

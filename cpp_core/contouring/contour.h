@@ -36,8 +36,8 @@ class Contouring {
   void relax(const Cell& cell) { relaxed_.add(cell); }
   bool is_relaxed(const Cell& cell) const { return relaxed_.has(cell); }
 
-  /// What the last round drew.
-  Contour mesh() const;
+  /// What the last round drew. Once only: the pieces go as the mesh comes.
+  Contour take();
 
  private:
   struct Drawn {
@@ -53,6 +53,7 @@ class Contouring {
 
   std::size_t slot(const MinimalFace& f) const { return 6 * std::size_t{f.owner->number} + static_cast<std::size_t>(f.owner_side); }
   void number_leaves();
+  static void forget_doubled_arcs(Leaf& leaf, const std::vector<MinimalFace>& around);
   void draw_faces(const std::vector<std::vector<MinimalFace>>& around);
   void fill(const Leaf& leaf, const std::vector<MinimalFace>& around);
   template <class Work>

@@ -301,7 +301,7 @@ class Evaluation {
           OctreeNode* node = tree.node_of(cell);
           if (node->leaf) node->leaf->resolved = false;
         }
-        return contouring.mesh();
+        return contouring.take();
       }
     }
   }

@@ -73,6 +73,18 @@ bool degenerate(const FacetTable& table, const std::vector<std::uint32_t>& surfa
   return std::abs(a.dot(b.cross(c))) < 1e-9;
 }
 
+// Leaves are what fills the memory: nothing in them is kept larger than it has to be.
+void compact(Leaf& leaf) {
+  if (leaf.sheets.size() == 1) leaf.sheets.front().crossings = {};
+  leaf.sheets.shrink_to_fit();
+  for (Sheet& sheet : leaf.sheets) sheet.surfaces.shrink_to_fit(), sheet.crossings.shrink_to_fit();
+  leaf.problem.facets.shrink_to_fit();
+  for (auto& arcs : leaf.arcs) {
+    arcs.shrink_to_fit();
+    for (Arc& arc : arcs) arc.bends.shrink_to_fit(), arc.surfaces.shrink_to_fit();
+  }
+}
+
 // Facets above which a quick look decides whether the full tests can succeed.
 constexpr std::size_t many_facets = 32;
 // The linear program's cost grows with its rows: beyond this a cell is cheaper to split.
@@ -127,6 +139,7 @@ std::optional<Leaf> Acceptance::accept(CellProblem& problem) const {
     if (!ok) return std::nullopt;
   }
   leaf.problem = std::move(problem);
+  compact(leaf);
   return leaf;
 }
 

@@ -41,7 +41,7 @@ struct Sheet {
   Vec3 apex = Vec3::Zero();
   Vec3 direction = Vec3::Zero();
   double low = 0, high = 0;
-  std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to this sheet
+  std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to it; empty for a cell's only sheet
   std::vector<FlatPart> flats;           ///< shape flats only
   bool level = false;                    ///< crease: all its facets face one side of surfaces[0], so it is a graph over it
   bool contact = false;
