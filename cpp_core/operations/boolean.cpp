@@ -23,6 +23,7 @@ namespace {
 
 class Stopwatch {
  public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count(); }
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();
@@ -43,8 +44,9 @@ constexpr int most_attempts = 5;
 constexpr std::size_t small_tree = 5000;
 constexpr std::ptrdiff_t few_planes = 64;
 constexpr std::size_t least_leaves = 12;
-// How often operands are moved when cells stay open.
+// How often operands are moved when cells stay open, and how many deep cells the attempt before may cost.
 constexpr int most_retries = 2;
+constexpr std::size_t most_deep_unmoved = 5000;
 
 struct Tolerances {
   double error;     // asked for, in all
@@ -144,16 +146,16 @@ class Evaluation {
     const double identical = std::min(tolerances_.contact, 8 * step);
     FacetTable table = gather_facets(operands_.solids, identical);
     std::vector<Graze> grazes = std::move(table.grazes);
-    double moved = move_apart(table, grazes, identical, 0);
     c.statistics["seconds.prepare"] = watch_.lap();
-    Run best = subdivide(table, moved);
-    // What stayed open at the smallest cells may be a contact that no vertex or edge showed: any other position of the
-    // operands is as good within the contact tolerance, and a generic one comes to an end.
-    for (int retry = 1; retry <= most_retries && !best.unresolved.empty() && !best.suspects.empty() && !best.exhausted; ++retry) {
+    // As they are first: most contacts are told by the planes through them. What stays open at the smallest cells is tried
+    // again with the operands moved off each other: any position is as good within the contact tolerance, and a generic one
+    // comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
+    Run best = subdivide(table, 0);
+    for (int retry = 0; retry <= most_retries && !best.unresolved.empty() && !out_of_budget(best); ++retry) {
       std::vector<Graze> all = grazes;
-      all.insert(all.end(), best.suspects.begin(), best.suspects.end());
-      moved = move_apart(table, all, identical, retry);
-      if (moved == 0) break;
+      if (retry > 0 || grazes.empty()) all.insert(all.end(), best.suspects.begin(), best.suspects.end());
+      const double moved = move_apart(table, all, identical, retry);
+      if (moved == 0) continue;
       Run next = subdivide(table, moved);
       if (next.unresolved.size() >= best.unresolved.size()) continue;
       grazes = std::move(all);
@@ -166,6 +168,12 @@ class Evaluation {
     tell(0.9, "merging flat regions");
     finish(best);
     c.statistics["seconds.merge"] = watch_.lap();
+  }
+
+  // Budgets that the user set hold for all attempts together; ours are there to end one that leads nowhere.
+  bool out_of_budget(const Run& run) const {
+    const Budget& budget = options_.budget;
+    return run.exhausted && (budget.max_cells > 0 || budget.max_bytes > 0 || !std::isinf(budget.max_seconds));
   }
 
   // Tries another position of the grid where the first one is unlucky and the tree small enough; keeps the smallest tree.
@@ -196,7 +204,7 @@ class Evaluation {
     const AcceptanceSettings settings = acceptance_settings(table, run.grid, moved);
     const Progress progress = [this](double done, const std::string& stage) { return report_progress(done, stage); };
     Reporter reporter(progress, "subdividing", 0, 0.8);
-    Subdivision subdivision(restriction, settings, limits_of(run.grid), statistics_, reporter);
+    Subdivision subdivision(restriction, settings, limits_of(run.grid, moved), statistics_, reporter);
     Octree tree = subdivision.build(restriction.root(operands_.expression.simplified(
         std::vector<State>(operands_.solids.size(), State::mixed))));
     c.statistics["seconds.subdivide"] += watch_.lap();
@@ -236,13 +244,14 @@ class Evaluation {
     return settings;
   }
 
-  SubdivisionLimits limits_of(const Grid& grid) const {
+  SubdivisionLimits limits_of(const Grid& grid, double moved) const {
     SubdivisionLimits limits;
     limits.max_level = grid.depth - smallest_cell_bits;
     if (options_.budget.max_depth > 0) limits.max_level = std::min(limits.max_level, options_.budget.max_depth);
-    limits.max_cells = options_.budget.max_cells > 0 ? options_.budget.max_cells : usual_cells();
+    limits.max_cells = options_.budget.max_cells > 0 ? options_.budget.max_cells : statistics_.cells.load() + usual_cells();
     limits.max_bytes = options_.budget.max_bytes;
-    limits.max_seconds = options_.budget.max_seconds;
+    limits.max_seconds = options_.budget.max_seconds - total_.seconds();
+    if (moved == 0) limits.max_deep = most_deep_unmoved;
     limits.deep_size = static_cast<std::uint32_t>(std::min(256 * grid.step / grid.unit, 1e9));
     return limits;
   }

@@ -21,6 +21,35 @@ bool on_all(const FacetTable& table, const std::vector<std::uint32_t>& surfaces,
   });
 }
 
+// The point that all planes have in common, if they have one; of a common line the middle of its part in the box.
+std::optional<Vec3> common_point(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Box3& box) {
+  Eigen::Matrix<double, Eigen::Dynamic, 3> normals(surfaces.size(), 3);
+  Eigen::VectorXd heights(surfaces.size());
+  const Vec3 centre = box.center();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Surface& s = table.surfaces[surfaces[i]];
+    normals.row(static_cast<Eigen::Index>(i)) = s.normal.transpose();
+    heights[static_cast<Eigen::Index>(i)] = s.offset - s.normal.dot(centre);
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const Eigen::VectorXd values = svd.singularValues(), coordinates = svd.matrixU().transpose() * heights;
+  Vec3 foot = Vec3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (values[k] > 1e-9 * values[0]) foot += svd.matrixV().col(k) * (coordinates[k] / values[k]);
+  if (values[2] > 1e-9 * values[0]) return Vec3(centre + foot);
+  if (!(values[1] > 1e-9 * values[0])) return std::nullopt;   // nearly one plane
+  const Vec3 along = svd.matrixV().col(2);
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(along[k]) < 1e-12) continue;
+    const double half = 0.5 * box.sizes()[k], a = (-half - foot[k]) / along[k], b = (half - foot[k]) / along[k];
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+  if (!(low < high)) return std::nullopt;
+  return Vec3(centre + foot + 0.5 * (low + high) * along);
+}
+
 bool well_inside(const Box3& box, const Vec3& x) {
   const double margin = 1e-9 * box.sizes().maxCoeff();
   return ((x - box.min()).array() > margin).all() && ((box.max() - x).array() > margin).all();
@@ -45,15 +74,9 @@ std::optional<Sheet> concurrent_sheet(const Restriction& restriction, const Box3
       return sheet;
     }
   if (surfaces.size() > 8) return std::nullopt;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> normals(surfaces.size(), 3);
-  Eigen::VectorXd heights(surfaces.size());
-  const Vec3 centre = box.center();
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Surface& s = table.surfaces[surfaces[i]];
-    normals.row(static_cast<Eigen::Index>(i)) = s.normal.transpose();
-    heights[static_cast<Eigen::Index>(i)] = s.offset - s.normal.dot(centre);
-  }
-  sheet.apex = centre + Vec3(normals.colPivHouseholderQr().solve(heights));
+  const auto x = common_point(table, surfaces, box);
+  if (!x) return std::nullopt;
+  sheet.apex = *x;
   if (!well_inside(box, sheet.apex) || !on_all(table, surfaces, sheet.apex, tolerance)) return std::nullopt;
   return sheet;
 }
