@@ -27,7 +27,7 @@ struct Contour {
 class Contouring {
  public:
   Contouring(const Restriction& restriction, Octree& tree, ContourSettings settings)
-      : restriction_(restriction), tree_(tree), settings_(std::move(settings)), points_(restriction, relaxed_) {}
+      : restriction_(restriction), tree_(tree), settings_(std::move(settings)), relaxed_(tree.size), points_(restriction, relaxed_) {}
 
   /// Draws the tree as it now is. The leaves that have to be refined, ascending.
   std::vector<Cell> round();

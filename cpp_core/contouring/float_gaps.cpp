@@ -1,28 +1,110 @@
 #include "contouring/float_gaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <atomic>
+#include <cmath>
+#include <mutex>
 
 #include "contouring/embedding.h"
 #include "contouring/straight_motion.h"
+#include "solids/disjoint_sets.h"
+#include "solids/errors.h"
 #include "solids/triangle_hierarchy.h"
 
 namespace starcell {
 namespace {
 
 constexpr int most_rounds = 60;
+constexpr int most_repairs = 4;
 constexpr double wanted_steps = 2.5;   // between triangles; rounding moves each by less than one
+
+// Also with single coordinates rounded: compilers drop roundings now and then (g++ 12 does), and a gap that depends on all
+// three being done is none.
+const std::vector<RoundedAxes> roundings{all_axes, 1, 2, 4};
+
+std::vector<MeetingPair> merged(const std::vector<std::vector<MeetingPair>>& lists) {
+  std::vector<MeetingPair> all;
+  for (const auto& some : lists) all.insert(all.end(), some.begin(), some.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
 
 class Opener {
  public:
-  Opener(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most, double share)
-      : start_(vertices), now_(vertices), triangles_(triangles), most_(most), share_(share) {}
+  Opener(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most, double share,
+         const GoOn& go_on)
+      : start_(vertices), now_(vertices), triangles_(triangles), go_on_(go_on), most_(most), share_(share) {}
 
   bool open() {
+    std::vector<MeetingPair> meeting = merged(meeting_pairs(now_, triangles_, roundings, go_on_));
+    for (int repair = 0; repair <= most_repairs; ++repair) {
+      take_near(meeting);
+      if (!push_apart()) return false;
+      std::vector<RoundedAxes> all = roundings;
+      all.push_back(no_axis);
+      meeting = merged(meeting_pairs(now_, triangles_, all, go_on_));
+      if (!meeting.empty()) continue;   // farther away: those come in too
+      const std::vector<MeetingPair> unproved = without_isotopy();
+      if (unproved.empty()) return true;
+      move_as_one(unproved);
+      meeting = unproved;
+      share_ *= 0.5;
+    }
+    return false;
+  }
+
+  const std::vector<Vec3>& vertices() const { return now_; }
+
+  double moved() const {
+    double most = 0;
+    for (std::size_t v = 0; v < now_.size(); ++v) most = std::max(most, (now_[v] - start_[v]).norm());
+    return most;
+  }
+
+ private:
+  // What is worked on: the triangles that meet, and all that come within reach of them.
+  void take_near(const std::vector<MeetingPair>& meeting) {
+    near_.resize(triangles_.size(), 0);
+    std::vector<char> flagged(triangles_.size(), 0);
+    for (const auto& [s, t] : meeting) flagged[s] = flagged[t] = 1;
+    std::mutex mutex;
+    TriangleHierarchy(now_, triangles_, most_).overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
+      if (flagged[s] || flagged[t]) {
+        const std::lock_guard lock(mutex);
+        near_[s] = near_[t] = 1;
+      }
+      return true;
+    });
+    worked_.clear();
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      if (near_[t] || flagged[t]) near_[t] = 1, worked_.push_back(t);
+  }
+
+  // Those that meet among them once rounded.
+  std::vector<MeetingPair> meeting_near() const {
+    std::vector<std::uint32_t> ids;
+    for (const std::uint32_t t : worked_) ids.insert(ids.end(), triangles_[t].begin(), triangles_[t].end());
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    std::vector<Vec3> places;
+    for (const std::uint32_t v : ids) places.push_back(now_[v]);
+    std::vector<Triangle> local;
+    for (const std::uint32_t t : worked_) {
+      Triangle& made = local.emplace_back();
+      for (int k = 0; k < 3; ++k)
+        made[k] = static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), triangles_[t][k]) - ids.begin());
+    }
+    std::vector<MeetingPair> found = merged(meeting_pairs(places, local, roundings, go_on_));
+    for (auto& [s, t] : found) s = worked_[s], t = worked_[t];
+    return found;
+  }
+
+  bool push_apart() {
     for (int round = 0; round < most_rounds; ++round) {
-      const std::vector<MeetingPair> pairs = meeting_if_rounded();
-      if (pairs.empty()) return meeting_pairs(now_, triangles_, {no_axis}).front().empty() && is_isotopy();
+      if (go_on_ && !go_on_()) throw CancelledError("The run was cancelled.");
+      const std::vector<MeetingPair> pairs = meeting_near();
+      if (pairs.empty()) return true;
       push_.assign(now_.size(), Vec3::Zero());
       pushes_.assign(now_.size(), 0);
       for (const auto& [s, t] : pairs) {
@@ -43,23 +125,19 @@ class Opener {
     return false;
   }
 
-  const std::vector<Vec3>& vertices() const { return now_; }
-
-  double moved() const {
-    double most = 0;
-    for (std::size_t v = 0; v < now_.size(); ++v) most = std::max(most, (now_[v] - start_[v]).norm());
-    return most;
-  }
-
- private:
-  // Also with single coordinates rounded: compilers drop roundings now and then (g++ 12 does), and a gap that depends on
-  // all three being done is none.
-  std::vector<MeetingPair> meeting_if_rounded() const {
-    std::vector<MeetingPair> all;
-    for (const auto& some : meeting_pairs(now_, triangles_, {all_axes, 1, 2, 4})) all.insert(all.end(), some.begin(), some.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+  // Triangles whose motions have no proof get a common one: they keep their places relative to each other.
+  void move_as_one(const std::vector<MeetingPair>& pairs) {
+    DisjointSets sets(now_.size());
+    std::vector<char> moves(now_.size(), 0);
+    for (const auto& [s, t] : pairs)
+      for (const Triangle& x : {triangles_[s], triangles_[t]})
+        for (const std::uint32_t v : x) sets.join(triangles_[s][0], v), moves[v] = 1;
+    std::vector<Vec3> sum(now_.size(), Vec3::Zero());
+    std::vector<int> count(now_.size(), 0);
+    for (std::uint32_t v = 0; v < now_.size(); ++v)
+      if (moves[v]) sum[sets.root(v)] += now_[v] - start_[v], ++count[sets.root(v)];
+    for (std::uint32_t v = 0; v < now_.size(); ++v)
+      if (moves[v]) now_[v] = start_[v] + sum[sets.root(v)] / count[sets.root(v)];
   }
 
   // The float32 step at a triangle's coordinates.
@@ -118,8 +196,8 @@ class Opener {
     if (height.norm() > 0) push(a, 0.5 * want * height.normalized()), push(p, -0.25 * want * height.normalized()), push(q, -0.25 * want * height.normalized());
   }
 
-  // Every two triangles that come near each other on the way.
-  bool is_isotopy() const {
+  // Every two triangles that come near each other on the way and of which it is not proved that they keep apart.
+  std::vector<MeetingPair> without_isotopy() const {
     std::vector<char> moves(triangles_.size(), 0);
     std::vector<Vec3> corners;
     std::vector<Triangle> boxes;
@@ -133,28 +211,40 @@ class Opener {
       corners.push_back(box.max());
       boxes.push_back({2 * t, 2 * t + 1, 2 * t});
     }
-    std::atomic<bool> proved{true};
+    std::vector<MeetingPair> unproved;
+    std::atomic<bool> stopped{false};
+    std::mutex mutex;
     TriangleHierarchy(corners, boxes).overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
-      if ((moves[s] || moves[t]) && !stay_apart(start_, now_, triangles_[s], triangles_[t])) proved = false;
-      return proved.load();
+      if (stopped) return false;
+      if ((!moves[s] && !moves[t]) || stay_apart(start_, now_, triangles_[s], triangles_[t])) return true;
+      const std::lock_guard lock(mutex);
+      unproved.emplace_back(s, t);
+      if (go_on_ && !go_on_()) stopped = true;   // a proof that fails is what takes long
+      return true;
     });
-    return proved;
+    if (stopped) throw CancelledError("The run was cancelled.");
+    std::sort(unproved.begin(), unproved.end());
+    return unproved;
   }
 
   const std::vector<Vec3>& start_;
   std::vector<Vec3> now_;
   const std::vector<Triangle>& triangles_;
-  const double most_, share_;
+  const GoOn& go_on_;
+  const double most_;
+  double share_;
+  std::vector<char> near_;
+  std::vector<std::uint32_t> worked_;
   std::vector<Vec3> push_;
   std::vector<int> pushes_;
 };
 
 }  // namespace
 
-FloatGaps open_float_gaps(std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most) {
+FloatGaps open_float_gaps(std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double most, const GoOn& go_on) {
   // Whole pushes first; smaller ones where those overshoot a layer that is itself being pushed.
-  for (const double share : {1.0, 0.3, 0.1}) {
-    Opener opener(vertices, triangles, most, share);
+  for (const double share : {1.0, 0.3}) {
+    Opener opener(vertices, triangles, most, share, go_on);
     if (!opener.open()) continue;
     const FloatGaps result{opener.moved(), true};
     vertices = opener.vertices();

@@ -1,0 +1,29 @@
+#include "operations/tolerances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace starcell {
+
+Tolerances split_error(const Options& options, const Box3& box, const std::vector<PolyhedronPtr>& solids) {
+  Tolerances t;
+  const double length = longest_side(box);
+  t.error = options.error.value_or(length / 128);
+  if (!(t.error > 0)) throw std::invalid_argument("error: must be greater than 0");
+  t.contact = options.contact.value_or(std::isinf(t.error) ? length / 12800 : t.error / 100);
+  if (!(t.contact > 0) || std::isinf(t.contact)) throw std::invalid_argument("contact: must be greater than 0 and finite");
+  t.inputs = 0;
+  for (const auto& solid : solids) t.inputs = std::max(t.inputs, solid->provenance().deflection);
+  // Rounding of plane equations and of the apexes: far above what double arithmetic can lose on coordinates this large.
+  const double rounding = 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  t.inputs += rounding;
+  t.cells = t.error - t.inputs;
+  if (!(t.cells > 0))
+    throw std::invalid_argument("error: " + std::to_string(t.error) + " is not larger than the deflection of a tessellated operand, " +
+                                std::to_string(t.inputs) + "; read that operand with a smaller error");
+  return t;
+}
+
+}  // namespace starcell

@@ -1,0 +1,21 @@
+// How the error that was asked for is shared out: the operands' own deflection first, the rest is the cells'.
+#pragma once
+
+#include <vector>
+
+#include "operations/options.h"
+#include "solids/polyhedron.h"
+
+namespace starcell {
+
+struct Tolerances {
+  double error;     ///< asked for, in all
+  double contact;
+  double inputs;    ///< largest deflection of an operand, and what double arithmetic loses on its coordinates
+  double cells;     ///< what contouring may deviate
+};
+
+/// `box`: of the result. Throws std::invalid_argument if the error leaves nothing for the cells.
+Tolerances split_error(const Options& options, const Box3& box, const std::vector<PolyhedronPtr>& solids);
+
+}  // namespace starcell
