@@ -17,9 +17,11 @@
 namespace starcell {
 namespace {
 
-// How often another position of the grid is tried where that may pay: for exactness or a smaller tree, and for sheets that
-// the first position left too near to each other for float32.
-constexpr int most_attempts = 5;
+// How often another position of the grid is tried where that may pay: for a smaller tree as long as few leaves are made in
+// all, for exactness, and for sheets that the first position left too near to each other for float32.
+constexpr int most_attempts = 16;
+constexpr std::size_t most_work = 2000;
+constexpr int most_exact_attempts = 5;
 constexpr int most_float_attempts = 3;
 constexpr std::ptrdiff_t few_planes = 64;
 constexpr std::size_t least_leaves = 12;
@@ -137,8 +139,12 @@ class Evaluation {
   Run best_run(const FacetTable& table, double moved) const {
     const bool few = few_surfaces(table);
     Run best = engine_.run(table, moved, 0);
-    for (int attempt = 1; attempt < most_attempts && (best.grazes || (few && best.leaves > least_leaves)); ++attempt) {
+    std::size_t work = best.leaves;
+    for (int attempt = 1; attempt < most_attempts; ++attempt) {
+      const bool smaller = few && best.leaves > least_leaves && work < most_work;
+      if (!smaller && !(best.grazes && attempt < most_exact_attempts)) break;
       Run next = engine_.run(table, moved, attempt);
+      work += next.leaves;
       if (next.unresolved.size() > best.unresolved.size() || (next.grazes && !best.grazes)) continue;
       if ((best.grazes && !next.grazes) || next.leaves < best.leaves) best = std::move(next);
     }
