@@ -88,10 +88,11 @@ class Evaluation {
     FacetTable table = gather_facets(operands_.solids, identical());
     std::vector<Graze> grazes = table.grazes;
     result_.certificate.statistics["seconds.prepare"] = seconds_since(start_);
-    // As they are first: most contacts are told by the planes through them. What stays open at the smallest cells is tried
-    // again with the operands moved off each other: any position is as good within the contact tolerance, and a generic one
-    // comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
-    Run best = best_run(table, 0);
+    // As they are first: most contacts are told by the planes through them. What stays open at the smallest cells, or costs
+    // too much, is tried again with the operands moved off each other: any position is as good within the contact tolerance,
+    // and a generic one comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
+    Run best = best_run(table, 0, grazes.empty() ? Engine::Effort::usual : Engine::Effort::a_look);
+    const bool cut_short = best.exhausted && !grazes.empty();
     std::vector<Vec3> shifts, best_shifts;
     for (int retry = 0; retry < most_retries && !best.unresolved.empty() && !out_of_budget(best); ++retry) {
       if (retry > 0 && best.unresolved.size() > hopeless) break;
@@ -100,11 +101,17 @@ class Evaluation {
       shifts = shifts_off_grazes(table, all, 0.25 * tolerances_.contact, retry);
       if (farthest(shifts) == 0) continue;
       table = gather_facets(operands_.solids, identical(), shifts);
-      Run next = best_run(table, farthest(shifts));
+      Run next = best_run(table, farthest(shifts), Engine::Effort::usual);
       if (next.unresolved.size() >= best.unresolved.size()) continue;
       grazes = std::move(all);
       best_shifts = shifts;
       best = std::move(next);
+    }
+    if (cut_short && !best.unresolved.empty() && !out_of_budget(best)) {
+      if (!shifts.empty()) table = gather_facets(operands_.solids, identical());
+      Run next = best_run(table, 0, Engine::Effort::usual);
+      shifts.clear();
+      if (next.unresolved.size() < best.unresolved.size()) best = std::move(next), best_shifts.clear();
     }
     if (shifts != best_shifts) table = gather_facets(operands_.solids, identical(), best_shifts);
     Polish polish = engine_.polish(best);
@@ -136,14 +143,14 @@ class Evaluation {
   }
 
   // Tries another position of the grid where the first one is unlucky and the tree small enough; keeps the smallest tree.
-  Run best_run(const FacetTable& table, double moved) const {
+  Run best_run(const FacetTable& table, double moved, Engine::Effort effort) const {
     const bool few = few_surfaces(table);
-    Run best = engine_.run(table, moved, 0);
+    Run best = engine_.run(table, moved, 0, effort);
     std::size_t work = best.leaves;
     for (int attempt = 1; attempt < most_attempts; ++attempt) {
       const bool smaller = few && best.leaves > least_leaves && work < most_work;
       if (!smaller && !(best.grazes && attempt < most_exact_attempts)) break;
-      Run next = engine_.run(table, moved, attempt);
+      Run next = engine_.run(table, moved, attempt, effort);
       work += next.leaves;
       if (next.unresolved.size() > best.unresolved.size() || (next.grazes && !best.grazes)) continue;
       if ((best.grazes && !next.grazes) || next.leaves < best.leaves) best = std::move(next);

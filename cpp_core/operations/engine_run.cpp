@@ -15,9 +15,7 @@ namespace {
 constexpr int smallest_cell_bits = 4;
 constexpr int most_rounds = 24;
 constexpr int patient_rounds = 4;
-// How many deep cells an attempt may cost that leaves operands where they are: if they touch along curved faces, it leads
-// nowhere, and moving them apart may.
-constexpr std::size_t most_deep_unmoved = 5000;
+constexpr std::size_t deep_for_a_look = 5000;
 // Up to this many leaves another position of the grid is cheaper than the exactness that one lost.
 constexpr std::size_t small_tree = 5000;
 
@@ -54,13 +52,13 @@ void Engine::tell(double done, const std::string& stage) const {
   if (progress_ && !progress_(done, stage)) throw CancelledError("The run was cancelled.");
 }
 
-Run Engine::run(const FacetTable& table, double moved, int attempt) const {
+Run Engine::run(const FacetTable& table, double moved, int attempt, Effort effort) const {
   Run run;
   run.grid = choose_grid(box_, table, attempt);
   const Restriction restriction(table, run.grid);
   const AcceptanceSettings settings = acceptance_settings(table, run.grid, moved);
   Reporter reporter(progress_, "subdividing", 0, 0.8);
-  Subdivision subdivision(restriction, settings, limits(run.grid, moved), statistics_, reporter);
+  Subdivision subdivision(restriction, settings, limits(run.grid, effort), statistics_, reporter);
   Octree tree;
   {
     const Timed timed(timings_["seconds.subdivide"]);
@@ -100,24 +98,25 @@ AcceptanceSettings Engine::acceptance_settings(const FacetTable& table, const Gr
   return settings;
 }
 
-SubdivisionLimits Engine::limits(const Grid& grid, double moved) const {
+SubdivisionLimits Engine::limits(const Grid& grid, Effort effort) const {
   SubdivisionLimits limits;
   limits.max_level = grid.depth - smallest_cell_bits;
   if (options_.budget.max_depth > 0) limits.max_level = std::min(limits.max_level, options_.budget.max_depth);
-  limits.max_cells = options_.budget.max_cells > 0 ? options_.budget.max_cells : statistics_.cells.load() + usual_cells();
+  limits.max_cells = options_.budget.max_cells > 0 ? options_.budget.max_cells : statistics_.cells.load() + cells_for(effort);
   limits.max_bytes = options_.budget.max_bytes;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   limits.max_seconds = options_.budget.max_seconds - elapsed.count();
-  if (moved == 0) limits.max_deep = most_deep_unmoved;
+  if (effort == Effort::a_look) limits.max_deep = deep_for_a_look;
   limits.deep_size = static_cast<std::uint32_t>(std::min(256 * grid.step / grid.unit, 1e9));
   return limits;
 }
 
 // Generic inputs need a small part of this. Only operands that touch along curved faces, whose tessellations cross each
 // other everywhere, need more, and those should end while one waits.
-std::size_t Engine::usual_cells() const {
+std::size_t Engine::cells_for(Effort effort) const {
   double facets = 0;
   for (const auto& solid : operands_.solids) facets += static_cast<double>(solid->triangles().size());
+  if (effort == Effort::a_look) return static_cast<std::size_t>(1e5 + 3 * facets);
   const double across = std::isinf(tolerances_.error) ? 1 : longest_side(box_) / tolerances_.error;
   return static_cast<std::size_t>(std::min(5e7, 1.5e6 + 20 * facets + 20 * across * across));
 }

@@ -43,8 +43,11 @@ class Engine {
       : operands_(operands), options_(options), box_(box), tolerances_(tolerances), progress_(progress), statistics_(statistics),
         timings_(timings), start_(std::chrono::steady_clock::now()) {}
 
+  /// How much a run may cost where it leads nowhere; a user's budgets hold besides.
+  enum class Effort { a_look, usual };
+
   /// `moved`: how far the table's operands were moved; `attempt`: which position of the grid.
-  Run run(const FacetTable& table, double moved, int attempt) const;
+  Run run(const FacetTable& table, double moved, int attempt, Effort effort = Effort::usual) const;
 
   /// Merges flat regions and opens gaps for float32; adds what that moves to the run's bound.
   Polish polish(Run& run) const;
@@ -53,8 +56,8 @@ class Engine {
   void tell(double done, const std::string& stage) const;
   double scale() const { return std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff()); }
   AcceptanceSettings acceptance_settings(const FacetTable& table, const Grid& grid, double moved) const;
-  SubdivisionLimits limits(const Grid& grid, double moved) const;
-  std::size_t usual_cells() const;
+  SubdivisionLimits limits(const Grid& grid, Effort effort) const;
+  std::size_t cells_for(Effort effort) const;
   Contour refine_until_good(const Restriction& restriction, Subdivision& subdivision, Octree& tree, const AcceptanceSettings& settings) const;
   bool grazes_grid(const Octree& tree, double bound) const;
 

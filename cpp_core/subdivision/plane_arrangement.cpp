@@ -26,6 +26,7 @@ bool PlaneArrangement::build(std::size_t max_planes) {
   {
     const Rounding rounding;
     make_planes();
+    find_stars();
     find_reach();
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       if (!cut_plane(static_cast<int>(i))) return false;
@@ -48,6 +49,56 @@ void PlaneArrangement::make_planes() {
   }
 }
 
+Interval3 PlaneArrangement::local(std::uint32_t vertex) const {
+  const Vec3& p = restriction_.table().points[vertex];
+  Interval3 x;
+  x.x = Interval(p.x()) - Interval(box_.min().x());
+  x.y = Interval(p.y()) - Interval(box_.min().y());
+  x.z = Interval(p.z()) - Interval(box_.min().z());
+  return x;
+}
+
+// All facets around a vertex that lies in the cell meet the cell.
+void PlaneArrangement::find_stars() {
+  if (!local_.empty()) return;   // planes that stand for others pass by their vertices
+  const FacetTable& table = restriction_.table();
+  std::vector<std::pair<std::uint32_t, int>> around;
+  for (const std::uint32_t f : problem_.facets)
+    for (const std::uint32_t v : table.corners[f]) {
+      const Vec3& p = table.points[v];
+      if (!((p - box_.min()).array() > 0).all() || !((box_.max() - p).array() > 0).all()) continue;
+      const auto at = std::lower_bound(surfaces_.begin(), surfaces_.end(), table.surface[f]);
+      around.emplace_back(v, static_cast<int>(at - surfaces_.begin()));
+    }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  for (std::size_t k = 0, end; k < around.size(); k = end) {
+    for (end = k; end < around.size() && around[end].first == around[k].first;) ++end;
+    if (end - k < 4) continue;
+    Star star{around[k].first, {}};
+    for (std::size_t i = k; i < end; ++i) star.planes.push_back(around[i].second);
+    stars_.push_back(std::move(star));
+  }
+}
+
+// The star whose vertex three planes name, or -1. None if there are two: the planes have a line in common.
+std::optional<int> PlaneArrangement::star_of(const PointName& name) const {
+  int found = -1;
+  for (std::size_t k = 0; k < stars_.size(); ++k) {
+    if (!stars_[k].has(name[0]) || !stars_[k].has(name[1]) || !stars_[k].has(name[2])) continue;
+    if (found >= 0) return std::nullopt;
+    found = static_cast<int>(k);
+  }
+  return found;
+}
+
+// Which side of the plane a point is on; 0: on it, as a vertex of its facets. None: uncertain.
+std::optional<int> PlaneArrangement::side_of(int point, int plane) const {
+  if (point_star_[point] >= 0 && stars_[point_star_[point]].has(plane)) return 0;
+  const int sign = certain_sign(value(planes_[plane], points_[point]));
+  return sign == 0 ? std::nullopt : std::optional(sign);
+}
+
 // On which sides of plane j do the facets of plane i have anything? What lies on the other side cannot be covered by them:
 // with all corners on facets of j, or certainly above j, a facet lies above the lowest of the planes that j's interval
 // encloses, and everything that is certainly under j lies under that one.
@@ -67,10 +118,7 @@ void PlaneArrangement::find_reach() {
   }
   for (std::size_t i = 0; i < n; ++i)
     for (const std::uint32_t v : corners[i]) {
-      Interval3 x;
-      x.x = Interval(table.points[v].x()) - Interval(box_.min().x());
-      x.y = Interval(table.points[v].y()) - Interval(box_.min().y());
-      x.z = Interval(table.points[v].z()) - Interval(box_.min().z());
+      const Interval3 x = local(v);
       for (std::size_t j = 0; j < n; ++j) {
         if (j == i || reach_[i * n + j] == 3 || std::binary_search(corners[j].begin(), corners[j].end(), v)) continue;
         const int sign = certain_sign(value(planes_[j], x));
@@ -97,13 +145,22 @@ bool PlaneArrangement::solve(const PointName& name, Interval3& x) const {
   return true;
 }
 
-int PlaneArrangement::point(const PointName& name) {
+// -1 if the planes have no point in common for certain.
+int PlaneArrangement::point(const PointName& planes) {
+  const auto star = star_of(planes);
+  if (!star) return -1;
+  PointName name = planes;
+  if (*star >= 0) std::copy_n(stars_[*star].planes.begin(), 3, name.begin());
   const auto [it, fresh] = index_.emplace(name, static_cast<int>(points_.size()));
   if (fresh) {
     Interval3 x;
-    if (!solve(name, x)) return -1;
+    if (*star >= 0)
+      x = local(stars_[*star].vertex);
+    else if (!solve(name, x))
+      return -1;
     points_.push_back(x);
     names_.push_back(name);
+    point_star_.push_back(*star);
   }
   return it->second;
 }
@@ -187,10 +244,13 @@ bool PlaneArrangement::split(PlanePolygon& part, int j, std::vector<PlanePolygon
   std::vector<int> sign(n);
   bool above = false, under = false;
   for (std::size_t k = 0; k < n; ++k) {
-    sign[k] = certain_sign(value(planes_[j], points_[part.corner[k]]));
-    if (sign[k] == 0) return false;
-    (sign[k] > 0 ? above : under) = true;
+    const auto side = side_of(part.corner[k], j);
+    if (!side) return false;
+    sign[k] = *side;
+    above = above || sign[k] > 0;
+    under = under || sign[k] < 0;
   }
+  if (!above && !under) return false;
   if (!above || !under) {
     part.side[j] = above ? 1 : -1;
     if (reaches(part.plane, j, part.side[j])) out.push_back(std::move(part));
@@ -204,11 +264,12 @@ bool PlaneArrangement::split(PlanePolygon& part, int j, std::vector<PlanePolygon
     half.side[j] = static_cast<signed char>(keep);
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t next = (k + 1) % n;
-      if (sign[k] == keep) {
+      // A corner on the plane belongs to both halves; from it a half goes on along the plane or along its old edge.
+      if (sign[k] == keep || sign[k] == 0) {
         half.corner.push_back(part.corner[k]);
-        half.edge.push_back(part.edge[k]);
+        half.edge.push_back(sign[k] == 0 && sign[next] == -keep ? j : part.edge[k]);
       }
-      if (sign[k] == sign[next]) continue;
+      if (sign[k] * sign[next] >= 0) continue;
       const int p = point(name_of(part.plane, part.edge[k], j));
       if (p < 0) return false;
       half.corner.push_back(p);

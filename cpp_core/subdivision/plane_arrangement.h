@@ -1,10 +1,14 @@
 // The arrangement of a cell's supporting planes: which convex polygons of them bound E.
 //
-// Ground that V-planes stands on. Points are named by the three planes through them, so that equal points are equal names;
-// every sign that splits a polygon is certified by interval arithmetic on such points.
+// Ground that V-planes stands on. Points are named by three planes through them, so that equal points are equal names; every
+// sign that splits a polygon is certified by interval arithmetic on such points. More than three planes meet in the operands'
+// own vertices: those lie on the planes of their facets because they are their corners, whatever arithmetic says, and take
+// their name from the first three.
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <optional>
 
 #include "subdivision/local_planes.h"
 
@@ -44,6 +48,12 @@ class PlaneArrangement {
     Interval n[3];
     Interval d;   // relative to the cell's lower corner
   };
+  // A vertex of an operand in the cell with more than three planes around it.
+  struct Star {
+    std::uint32_t vertex;
+    std::vector<int> planes;   // ascending
+    bool has(int plane) const { return std::binary_search(planes.begin(), planes.end(), plane); }
+  };
 
   static Interval value(const Plane& p, const Interval3& x) { return p.n[0] * x.x + p.n[1] * x.y + p.n[2] * x.z - p.d; }
   void make_planes();
@@ -51,6 +61,10 @@ class PlaneArrangement {
   int point(const PointName& name);
   bool start_polygon(int i, PlanePolygon& polygon);
   bool turn_to_normal(PlanePolygon& polygon) const;
+  Interval3 local(std::uint32_t vertex) const;
+  void find_stars();
+  std::optional<int> star_of(const PointName& name) const;
+  std::optional<int> side_of(int point, int plane) const;
   void find_reach();
   bool reaches(int i, int j, int side) const { return reach_[static_cast<std::size_t>(i * count() + j)] & (side > 0 ? 1 : 2); }
   bool cut_plane(int i);
@@ -68,8 +82,10 @@ class PlaneArrangement {
   std::vector<Plane> planes_;
   std::vector<int> corner_sign_;
   std::vector<char> reach_;   // per plane i and j: bit 0, 1: facets of i may reach to the positive, negative side of j
+  std::vector<Star> stars_;
   std::map<PointName, int> index_;
   std::vector<Interval3> points_;
+  std::vector<int> point_star_;   // which star's vertex a point is, or -1
   std::vector<PointName> names_;
   std::vector<PlanePolygon> polygons_;
 };
