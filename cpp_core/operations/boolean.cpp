@@ -127,8 +127,8 @@ class Evaluation {
     deliver(best, polish, grazes);
   }
 
-  // What lies this near counts as one: a few float32 steps, unless contacts are finer than that.
-  double identical() const { return std::min(tolerances_.contact, 8 * float_step(box_)); }
+  // What lies this near counts as one: a float32 step and more, unless contacts are finer than that.
+  double identical() const { return std::min(tolerances_.contact, 2 * float_step(box_)); }
 
   static double farthest(const std::vector<Vec3>& shifts) {
     double far = 0;
