@@ -79,7 +79,44 @@ TEST(Contacts, ADrumOfTrianglesStandsOnABox) {
   expect_at_rotations("drum", {m, box({-2, -2, -1}, {2, 2, 0})}, {}, {16 + volume(m.vertices, m.triangles), solid_ball(), 1e-4});
 }
 
-// Edges that cross, with the solids running into each other: moved apart by less than the tolerance, and said to be.
+/// A frustum of a pyramid with n sides: radius r0 at z0, r1 at z1.
+Mesh frustum(std::uint32_t n, double r0, double z0, double r1, double z1) {
+  Mesh m;
+  for (const auto& [r, z] : {std::pair(r0, z0), std::pair(r1, z1)})
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const double a = 2 * std::numbers::pi * k / n + 0.3;
+      m.vertices.push_back({r * std::cos(a), r * std::sin(a), z});
+    }
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t next = (k + 1) % n;
+    m.triangles.insert(m.triangles.end(), {{k, next, n + next}, {k, n + next, n + k}});
+  }
+  for (std::uint32_t k = 1; k + 1 < n; ++k) m.triangles.insert(m.triangles.end(), {{0, k + 1, k}, {n, n + k, n + k + 1}});
+  return m;
+}
+
+// The sides meet along the edges of the common polygon at an angle: three planes in each of those edges, five in each of its
+// corners. Nothing has to be moved: the result is exactly the two on top of each other, n sides twice and two lids.
+TEST(Contacts, FrustaOnACommonPolygonStayExact) {
+  std::mt19937 random(10);
+  for (const std::uint32_t n : {4u, 12u})
+    for (const double top : {0.5, 0.98, 1.3})
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Matrix3d rotation = random_rotation(random);
+        const Mesh below = frustum(n, 1, -2, 1, 0), above = frustum(n, 1, 0, top, 1);
+        const Result r = evaluate(solid(turned(below, rotation)) | solid(turned(above, rotation)), with_error(0.1));
+        const std::string what = std::to_string(n) + " sides to " + std::to_string(top) + ", rotation " + std::to_string(i);
+        expect_sound(r, what);
+        EXPECT_EQ(topology(r), solid_ball()) << what;
+        EXPECT_NE(r.certificate.verdict, Verdict::unresolved) << what;
+        EXPECT_LT(r.certificate.error_bound, 1e-9) << what;
+        EXPECT_EQ(r.triangles.size(), 4 * n + 2 * (n - 2)) << what;
+        EXPECT_NEAR(volume(r), volume(below.vertices, below.triangles) + volume(above.vertices, above.triangles), 1e-9) << what;
+      }
+}
+
+// Edges that cross, with the solids running into each other: told as they are or moved apart by less than the tolerance, and
+// said to touch.
 TEST(Contacts, CrossingEdgesEndAsAContact) {
   std::mt19937 random(8);
   for (int i = 0; i < 10; ++i) {
