@@ -93,6 +93,7 @@ void Contouring::fill(const Leaf& leaf, const std::vector<MinimalFace>& around) 
   const bool same = std::none_of(around.begin(), around.end(), [&](const MinimalFace& f) { return drawn_[slot(f)]->fresh; });
   if (piece.known && piece.relaxed == relaxed && piece.faces == around.size() && same) return;
   std::vector<DrawnFace> faces;
+  faces.reserve(around.size());
   for (const MinimalFace& f : around) faces.push_back({f, &drawn_[slot(f)]->traced});
   const Grid& grid = restriction_.grid();
   const PieceSettings settings{settings_.error, relaxed ? grid.least_gap() : grid.margin(cell.size), settings_.pull,

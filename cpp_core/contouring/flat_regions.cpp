@@ -80,15 +80,13 @@ class Merger {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (const std::uint32_t v : mesh_.triangles[t]) {
         const std::uint32_t r = region_[t];
-        if (r == none || frozen[r]) {
-          keep_[v] = 1;
-        } else if (seen[v].first == none || seen[v].first == r) {
+        const bool merges = r != none && !frozen[r];
+        if (merges && (seen[v].first == none || seen[v].first == r))
           seen[v].first = r;
-        } else if (seen[v].second == none || seen[v].second == r) {
+        else if (merges && (seen[v].second == none || seen[v].second == r))
           seen[v].second = r;
-        } else {
+        else
           keep_[v] = 1;
-        }
       }
     std::vector<int> rim(mesh_.vertices.size(), 0);
     for_rim_edges([&](std::uint32_t, const Edge& e) { ++rim[e.first], ++rim[e.second]; });

@@ -88,6 +88,7 @@ class Opener {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     std::vector<Vec3> places;
+    places.reserve(ids.size());
     for (const std::uint32_t v : ids) places.push_back(now_[v]);
     std::vector<Triangle> local;
     for (const std::uint32_t t : worked_) {

@@ -66,7 +66,7 @@ class PlaneArrangement {
   std::optional<int> star_of(const PointName& name) const;
   std::optional<int> side_of(int point, int plane) const;
   void find_reach();
-  bool reaches(int i, int j, int side) const { return reach_[static_cast<std::size_t>(i * count() + j)] & (side > 0 ? 1 : 2); }
+  bool reaches(int i, int j, int side) const { return reach_[static_cast<std::size_t>(i) * surfaces_.size() + static_cast<std::size_t>(j)] & (side > 0 ? 1 : 2); }
   bool cut_plane(int i);
   bool split(PlanePolygon& part, int j, std::vector<PlanePolygon>& out);
   bool keep_boundary();

@@ -32,7 +32,8 @@ std::optional<Vec3> common_point(const FacetTable& table, const std::vector<std:
     heights[static_cast<Eigen::Index>(i)] = s.offset - s.normal.dot(centre);
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  const Eigen::VectorXd values = svd.singularValues(), coordinates = svd.matrixU().transpose() * heights;
+  const auto& values = svd.singularValues();
+  const Eigen::VectorXd coordinates = svd.matrixU().transpose() * heights;
   Vec3 foot = Vec3::Zero();
   for (int k = 0; k < 3; ++k)
     if (values[k] > 1e-9 * values[0]) foot += svd.matrixV().col(k) * (coordinates[k] / values[k]);
