@@ -36,7 +36,7 @@ class Merger {
     for (int round = 0; round < 20; ++round) {
       classify_vertices(frozen);
       if (!rebuild(frozen)) continue;
-      FlatMerge result{tolerance_, true, {}};
+      FlatMerge result{tolerance_, true, {}, false};
       const std::vector<char> bad = meeting_regions(result);
       bool again = false;
       for (std::size_t r = 0; r < regions_.size(); ++r)
@@ -46,7 +46,7 @@ class Merger {
         return result;
       }
     }
-    return {0, false, {}};  // everything stays as it was
+    return {};  // everything stays as it was
   }
 
  private:
@@ -217,9 +217,12 @@ class Merger {
 
   std::vector<char> meeting_regions(FlatMerge& result) const {
     std::vector<char> bad(regions_.size(), 0);
-    const auto meeting = meeting_pairs(mesh_.vertices, new_triangles_, {no_axis, all_axes}, go_on_);
+    std::vector<RoundedAxes> roundings{no_axis};
+    roundings.insert(roundings.end(), every_rounding.begin(), every_rounding.end());
+    const auto meeting = meeting_pairs(mesh_.vertices, new_triangles_, roundings, go_on_);
     result.embedded = meeting[0].empty();
-    for (const auto& pairs : meeting)
+    result.depends_on_rounding = std::any_of(meeting.begin() + 1, meeting.end(), [](const auto& pairs) { return !pairs.empty(); });
+    for (const auto& pairs : {meeting[0], meeting[1]})
       for (const std::uint32_t t : triangles_of(pairs))
         if (new_region_[t] != none) bad[new_region_[t]] = 1;
     for (const std::uint32_t t : triangles_of(meeting[1])) {
@@ -265,7 +268,7 @@ class Merger {
 }  // namespace
 
 FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on) {
-  if (mesh.triangles.empty()) return {0, true, {}};
+  if (mesh.triangles.empty()) return {0, true, {}, false};
   return Merger(mesh, tolerance, go_on).run();
 }
 

@@ -16,6 +16,7 @@ struct FlatMerge {
   double moved = 0;       ///< how far the surface moved at most (rounding)
   bool embedded = false;  ///< the mesh as it is now was tested: no two triangles meet
   std::vector<Box3> meeting_as_floats;  ///< triangles that meet others once rounded to float32: slivers thinner than its step
+  bool depends_on_rounding = false;     ///< some meet if coordinates are rounded, be it only one of the three
 };
 
 /// Throws CancelledError.

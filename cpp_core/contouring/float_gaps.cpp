@@ -18,10 +18,6 @@ constexpr int most_rounds = 60;
 constexpr int most_repairs = 4;
 constexpr double wanted_steps = 2.5;   // between triangles; rounding moves each by less than one
 
-// Also with single coordinates rounded: compilers drop roundings now and then (g++ 12 does), and a gap that depends on all
-// three being done is none.
-const std::vector<RoundedAxes> roundings{all_axes, 1, 2, 4};
-
 std::vector<MeetingPair> merged(const std::vector<std::vector<MeetingPair>>& lists) {
   std::vector<MeetingPair> all;
   for (const auto& some : lists) all.insert(all.end(), some.begin(), some.end());
@@ -37,11 +33,11 @@ class Opener {
       : start_(vertices), now_(vertices), triangles_(triangles), go_on_(go_on), most_(most), share_(share) {}
 
   bool open() {
-    std::vector<MeetingPair> meeting = merged(meeting_pairs(now_, triangles_, roundings, go_on_));
+    std::vector<MeetingPair> meeting = merged(meeting_pairs(now_, triangles_, every_rounding, go_on_));
     for (int repair = 0; repair <= most_repairs; ++repair) {
       take_near(meeting);
       if (!push_apart()) return false;
-      std::vector<RoundedAxes> all = roundings;
+      std::vector<RoundedAxes> all = every_rounding;
       all.push_back(no_axis);
       meeting = merged(meeting_pairs(now_, triangles_, all, go_on_));
       if (!meeting.empty()) continue;   // farther away: those come in too
@@ -96,7 +92,7 @@ class Opener {
       for (int k = 0; k < 3; ++k)
         made[k] = static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), triangles_[t][k]) - ids.begin());
     }
-    std::vector<MeetingPair> found = merged(meeting_pairs(places, local, roundings, go_on_));
+    std::vector<MeetingPair> found = merged(meeting_pairs(places, local, every_rounding, go_on_));
     for (auto& [s, t] : found) s = worked_[s], t = worked_[t];
     return found;
   }

@@ -115,15 +115,29 @@ class Evaluation {
     }
     if (shifts != best_shifts) table = gather_facets(operands_.solids, identical(), best_shifts);
     Polish polish = engine_.polish(best);
-    // Sheets along a plane of the grid: another position may leave more room between them.
-    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty() && !out_of_budget(best); ++attempt) {
-      Run next = engine_.run(table, farthest(best_shifts), most_attempts + attempt);
-      if (next.unresolved.size() > best.unresolved.size()) continue;
+    const auto try_instead = [&](Run next) {
+      if (next.unresolved.size() > best.unresolved.size()) return false;
       const Polish other = engine_.polish(next);
-      if (!other.embedded || other.meet_as_floats.size() >= polish.meet_as_floats.size()) continue;
+      if (!other.embedded || other.meet_as_floats.size() > polish.meet_as_floats.size()) return false;
+      if (other.meet_as_floats.size() == polish.meet_as_floats.size() && other.tight >= polish.tight) return false;
       best = std::move(next);
       polish = other;
+      return true;
+    };
+    // Told apart as they are, but not by float32: a contact at a point.
+    if (polish.tight && !grazes.empty() && best_shifts.empty() && !out_of_budget(best)) {
+      shifts = shifts_off_grazes(table, grazes, 0.25 * tolerances_.contact);
+      if (farthest(shifts) > 0) {
+        table = gather_facets(operands_.solids, identical(), shifts);
+        if (try_instead(best_run(table, farthest(shifts), Engine::Effort::usual)))
+          best_shifts = shifts;
+        else
+          table = gather_facets(operands_.solids, identical());
+      }
     }
+    // Sheets along a plane of the grid: another position may leave more room between them.
+    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty() && !out_of_budget(best); ++attempt)
+      try_instead(engine_.run(table, farthest(best_shifts), most_attempts + attempt));
     deliver(best, polish, grazes);
   }
 

@@ -80,11 +80,12 @@ Polish Engine::polish(Run& run) const {
   const GoOn go_on = [this] { return !progress_ || progress_(0.9, "merging flat regions"); };
   FlatMerge merge = merge_flat_regions(run.mesh, 1e-11 * scale(), go_on);
   run.bound += merge.moved;
-  if (!merge.embedded || merge.meeting_as_floats.empty()) return {merge.embedded, {}};
+  if (!merge.embedded || !merge.depends_on_rounding) return {merge.embedded, {}, false};
   const double most = std::min(0.05 * tolerances_.error, 64 * run.grid.step);
   const FloatGaps gaps = open_float_gaps(run.mesh.vertices, run.mesh.triangles, most, go_on);
   run.bound += gaps.moved;
-  return {true, gaps.opened ? std::vector<Box3>() : std::move(merge.meeting_as_floats)};
+  if (gaps.opened) return {true, {}, false};
+  return {true, std::move(merge.meeting_as_floats), true};
 }
 
 AcceptanceSettings Engine::acceptance_settings(const FacetTable& table, const Grid& grid, double moved) const {

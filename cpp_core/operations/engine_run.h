@@ -33,6 +33,7 @@ struct Run {
 struct Polish {
   bool embedded = false;             ///< closed, manifold and without self-intersections
   std::vector<Box3> meet_as_floats;  ///< triangles that meet once rounded to float32
+  bool tight = false;                ///< some meet if coordinates are rounded, be it only one of the three
 };
 
 class Engine {
