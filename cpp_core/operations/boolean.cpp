@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <tbb/global_control.h>
@@ -84,61 +85,74 @@ class Evaluation {
     return {box.min() - m, box.max() + m};
   }
 
+  // A run, where its operands stood, and the contacts that put them there.
+  struct Try {
+    Run run;
+    std::vector<Vec3> shifts;
+    std::vector<Graze> grazes;
+  };
+
   void mesh() {
-    FacetTable table = gather_facets(operands_.solids, identical());
-    std::vector<Graze> grazes = table.grazes;
+    const std::vector<Graze> grazes = table_at({}).grazes;
     result_.certificate.statistics["seconds.prepare"] = seconds_since(start_);
-    // As they are first: most contacts are told by the planes through them. What stays open at the smallest cells, or costs
-    // too much, is tried again with the operands moved off each other: any position is as good within the contact tolerance,
-    // and a generic one comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
-    Run best = best_run(table, 0, grazes.empty() ? Engine::Effort::usual : Engine::Effort::a_look);
-    const bool cut_short = best.exhausted && !grazes.empty();
-    std::vector<Vec3> shifts, best_shifts;
-    for (int retry = 0; retry < most_retries && !best.unresolved.empty() && !out_of_budget(best); ++retry) {
-      if (retry > 0 && best.unresolved.size() > hopeless) break;
-      std::vector<Graze> all = grazes;
-      if (retry > 0 || grazes.empty()) all.insert(all.end(), best.suspects.begin(), best.suspects.end());
-      shifts = shifts_off_grazes(table, all, 0.25 * tolerances_.contact, retry);
+    Try best = settle(grazes);
+    Polish polish = engine_.polish(best.run);
+    keep_apart_as_floats(best, polish);
+    deliver(best.run, polish, best.grazes);
+  }
+
+  // As they are first: most contacts are told by the planes through them. What stays open at the smallest cells, or costs too
+  // much, is tried again with the operands moved off each other: any position is as good within the contact tolerance, and a
+  // generic one comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
+  Try settle(const std::vector<Graze>& grazes) {
+    Try best{best_run({}, grazes.empty() ? Engine::Effort::usual : Engine::Effort::a_look), {}, grazes};
+    const bool cut_short = best.run.exhausted && !grazes.empty();
+    for (int retry = 0; retry < most_retries && is_open(best); ++retry) {
+      if (retry > 0 && best.run.unresolved.size() > hopeless) break;
+      std::vector<Graze> all = best.grazes;
+      if (retry > 0 || grazes.empty()) all.insert(all.end(), best.run.suspects.begin(), best.run.suspects.end());
+      const std::vector<Vec3> shifts = shifts_off_grazes(table_at(best.shifts), all, 0.25 * tolerances_.contact, retry);
       if (farthest(shifts) == 0) continue;
-      table = gather_facets(operands_.solids, identical(), shifts);
-      Run next = best_run(table, farthest(shifts), Engine::Effort::usual);
-      if (next.unresolved.size() >= best.unresolved.size()) continue;
-      grazes = std::move(all);
-      best_shifts = shifts;
-      best = std::move(next);
+      Run next = best_run(shifts, Engine::Effort::usual);
+      if (next.unresolved.size() < best.run.unresolved.size()) best = {std::move(next), shifts, std::move(all)};
     }
-    if (cut_short && !best.unresolved.empty() && !out_of_budget(best)) {
-      if (!shifts.empty()) table = gather_facets(operands_.solids, identical());
-      Run next = best_run(table, 0, Engine::Effort::usual);
-      shifts.clear();
-      if (next.unresolved.size() < best.unresolved.size()) best = std::move(next), best_shifts.clear();
+    if (cut_short && is_open(best)) {
+      Run next = best_run({}, Engine::Effort::usual);
+      if (next.unresolved.size() < best.run.unresolved.size()) best = {std::move(next), {}, grazes};
     }
-    if (shifts != best_shifts) table = gather_facets(operands_.solids, identical(), best_shifts);
-    Polish polish = engine_.polish(best);
-    const auto try_instead = [&](Run next) {
-      if (next.unresolved.size() > best.unresolved.size()) return false;
-      const Polish other = engine_.polish(next);
-      if (!other.embedded || other.meet_as_floats.size() > polish.meet_as_floats.size()) return false;
-      if (other.meet_as_floats.size() == polish.meet_as_floats.size() && other.tight >= polish.tight) return false;
-      best = std::move(next);
-      polish = other;
-      return true;
+    return best;
+  }
+
+  bool is_open(const Try& t) const { return !t.run.unresolved.empty() && !out_of_budget(t.run); }
+
+  // Sheets that float32 brings together are a contact that could be told as it was, and operands moved off each other are
+  // farther apart; or they run along a plane of the grid, and another position may leave more room between them.
+  void keep_apart_as_floats(Try& best, Polish& polish) {
+    const auto try_instead = [&](Run next, const std::vector<Vec3>& shifts) {
+      if (next.unresolved.size() > best.run.unresolved.size()) return;
+      Polish other = engine_.polish(next);
+      if (!other.embedded || other.meet_as_floats.size() > polish.meet_as_floats.size()) return;
+      if (other.meet_as_floats.size() == polish.meet_as_floats.size() && other.tight >= polish.tight) return;
+      best.run = std::move(next);
+      best.shifts = shifts;
+      polish = std::move(other);
     };
-    // Told apart as they are, but not by float32: a contact at a point.
-    if (polish.tight && !grazes.empty() && best_shifts.empty() && !out_of_budget(best)) {
-      shifts = shifts_off_grazes(table, grazes, 0.25 * tolerances_.contact);
-      if (farthest(shifts) > 0) {
-        table = gather_facets(operands_.solids, identical(), shifts);
-        if (try_instead(best_run(table, farthest(shifts), Engine::Effort::usual)))
-          best_shifts = shifts;
-        else
-          table = gather_facets(operands_.solids, identical());
-      }
+    if (polish.tight && !best.grazes.empty() && best.shifts.empty() && !out_of_budget(best.run)) {
+      const std::vector<Vec3> shifts = shifts_off_grazes(table_at({}), best.grazes, 0.25 * tolerances_.contact);
+      if (farthest(shifts) > 0) try_instead(best_run(shifts, Engine::Effort::usual), shifts);
     }
-    // Sheets along a plane of the grid: another position may leave more room between them.
-    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty() && !out_of_budget(best); ++attempt)
-      try_instead(engine_.run(table, farthest(best_shifts), most_attempts + attempt));
-    deliver(best, polish, grazes);
+    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty() && !out_of_budget(best.run); ++attempt)
+      try_instead(engine_.run(table_at(best.shifts), farthest(best.shifts), most_attempts + attempt), best.shifts);
+  }
+
+  // The operands' facets where the operands are moved by `shifts`, or as they are if there are none.
+  const FacetTable& table_at(const std::vector<Vec3>& shifts) {
+    if (!table_ || table_shifts_ != shifts) {
+      table_.reset();   // two at once would be the peak of memory
+      table_ = gather_facets(operands_.solids, identical(), shifts);
+      table_shifts_ = shifts;
+    }
+    return *table_;
   }
 
   // What lies this near counts as one: a float32 step and more, unless contacts are finer than that.
@@ -157,7 +171,9 @@ class Evaluation {
   }
 
   // Tries another position of the grid where the first one is unlucky and the tree small enough; keeps the smallest tree.
-  Run best_run(const FacetTable& table, double moved, Engine::Effort effort) const {
+  Run best_run(const std::vector<Vec3>& shifts, Engine::Effort effort) {
+    const FacetTable& table = table_at(shifts);
+    const double moved = farthest(shifts);
     const bool few = few_surfaces(table);
     Run best = engine_.run(table, moved, 0, effort);
     std::size_t work = best.leaves;
@@ -209,6 +225,8 @@ class Evaluation {
   const Operands operands_;
   const Tolerances tolerances_;
   Statistics statistics_;
+  std::optional<FacetTable> table_;
+  std::vector<Vec3> table_shifts_;
   double reported_ = 0;
   Result result_;
   const Progress progress_;

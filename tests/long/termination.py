@@ -1,5 +1,5 @@
 """Does the subdivision end? Every mesh alone, with no error asked for and with L/128: leaves and unresolved cells of the
-trace criterion and of the thesis's own (complex-cell, depth at most 12, 60 s). A trace cell left unresolved is a failure;
+trace criterion and of the thesis's own (complex-cell, depth at most 12, 5 s). A trace cell left unresolved is a failure;
 complex-cell stands beside it for comparison (DESIGN §3 explains why it does not end). Arguments: parts of file names."""
 import math
 import tempfile
@@ -8,7 +8,7 @@ import starcell as sc
 
 from table import Table, apart, files, unpacked
 
-TRACE_SECONDS, THESIS_SECONDS = 900, 60
+TRACE_SECONDS, THESIS_SECONDS = 900, 5
 
 
 def run(path, part, criterion):
@@ -33,7 +33,7 @@ for path in files("meshes", ".off", ".obj", ".stl", ".ply"):
         if kind == "raised" and answer.startswith("InvalidSolidError"):
             table.row(name, "refused: " + answer[:100])
             break
-        other_kind, other = apart(run, (path, part, "complex-cell"), 3 * THESIS_SECONDS)
+        other_kind, other = apart(run, (path, part, "complex-cell"), 12 * THESIS_SECONDS)
         ok = kind == "value" and answer[1] == 0 and answer[2] != "unresolved" and answer[4]
         table.judge("%s, error %s" % (name, label), ok, label, shown(kind, answer), "%.2f" % answer[3] if kind == "value" else answer[:80],
                     shown(other_kind, other), "%.2f" % other[3] if other_kind == "value" else other[:40])
