@@ -1,15 +1,11 @@
 // Writes a certificate. The text is made in memory, written beside its destination, and renamed.
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "certificate/certificate_file.h"
 #include "certificate/certificate_file_names.h"
-#include "solids/errors.h"
+#include "solids/whole_file.h"
 
 namespace starcell {
 namespace {
@@ -115,35 +111,13 @@ class Storing {
   std::map<const Polyhedron*, std::uint32_t> known_;
 };
 
-[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& reason) {
-  throw FileError("Cannot write '" + path.string() + "': " + reason + ".");
-}
-
 }  // namespace
 
 void store_expression(const Expression& expression, CertificateFile& file) { Storing(file).store(expression); }
 
 void write_certificate(const std::filesystem::path& path, const CertificateFile& file) {
   // An operand's name may be any bytes; what is not UTF-8 in it is replaced.
-  const std::string text = to_json(file).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  std::filesystem::path part = path;
-  part += ".part";
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  std::error_code problem;
-  if (!stream) {
-    const std::string reason = std::strerror(errno);
-    std::filesystem::remove(part, problem);
-    cannot_write(path, reason);
-  }
-  std::filesystem::rename(part, path, problem);
-  if (problem) {
-    const std::string reason = problem.message();
-    std::filesystem::remove(part, problem);
-    cannot_write(path, reason);
-  }
+  write_whole_file(path, to_json(file).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace starcell

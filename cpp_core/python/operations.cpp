@@ -8,7 +8,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "interruptible.h"
-#include "mesh_writer.h"
+#include "solids/mesh_writer.h"
 
 namespace starcell::python {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "solids/polyhedron.h"
 
-namespace starcell::python {
+namespace starcell {
 
 /// Chooses the format by the extension, any case. Throws std::invalid_argument for another one, FileError.
 void write_mesh(const std::filesystem::path& path, const std::vector<Vec3>& vertices,
                 const std::vector<Triangle>& triangles);
 
-}  // namespace starcell::python
+}  // namespace starcell

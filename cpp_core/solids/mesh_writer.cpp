@@ -1,19 +1,16 @@
-// See mesh_writer.h. The file is built in memory, written beside its destination, and renamed.
-#include "mesh_writer.h"
+#include "solids/mesh_writer.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <fstream>
+#include <stdexcept>
 #include <string>
-#include <system_error>
 
-#include "solids/errors.h"
+#include "solids/whole_file.h"
 
-namespace starcell::python {
+namespace starcell {
 namespace {
 
 using Bytes = std::string;
@@ -90,10 +87,6 @@ Bytes ply(const Vertices& vertices, const Triangles& triangles) {
   return out;
 }
 
-[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& reason) {
-  throw FileError("Cannot write '" + path.string() + "': " + reason + ".");
-}
-
 }  // namespace
 
 void write_mesh(const std::filesystem::path& path, const Vertices& vertices, const Triangles& triangles) {
@@ -105,25 +98,7 @@ void write_mesh(const std::filesystem::path& path, const Vertices& vertices, con
                                                        : extension == ".ply" ? ply
                                                                              : nullptr;
   if (!format) throw std::invalid_argument("path: the extension '" + extension + "' is none of .off, .obj, .stl, .ply");
-  const Bytes bytes = format(vertices, triangles);
-
-  std::filesystem::path part = path;
-  part += ".part";
-  std::ofstream file(part, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code problem;
-  if (!file) {
-    const std::string reason = std::strerror(errno);
-    std::filesystem::remove(part, problem);
-    cannot_write(path, reason);
-  }
-  std::filesystem::rename(part, path, problem);
-  if (problem) {
-    const std::string reason = problem.message();
-    std::filesystem::remove(part, problem);
-    cannot_write(path, reason);
-  }
+  write_whole_file(path, format(vertices, triangles));
 }
 
-}  // namespace starcell::python
+}  // namespace starcell
