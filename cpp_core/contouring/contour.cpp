@@ -9,7 +9,7 @@ namespace starcell {
 namespace {
 
 // Leaves are worked on in parallel, this many between two looks at the outside world.
-constexpr std::size_t leaves_at_once = 2048;
+constexpr std::size_t leaves_at_once = 512;
 
 }  // namespace
 
