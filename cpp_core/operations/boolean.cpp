@@ -24,11 +24,12 @@ constexpr int most_attempts = 16;
 constexpr std::size_t most_work = 2000;
 constexpr int most_exact_attempts = 5;
 constexpr int most_float_attempts = 3;
+constexpr std::size_t few_places = 300;
 constexpr std::ptrdiff_t few_planes = 64;
 constexpr std::size_t least_leaves = 12;
 // How often operands are moved when cells stay open. More open cells than this are no contact at a few places.
 constexpr int most_retries = 3;
-constexpr std::size_t hopeless = 5000;
+constexpr std::size_t hopeless = 500;
 
 void add_statistics(const Statistics& s, Certificate& c) {
   const auto put = [&](const char* name, const std::atomic<std::size_t>& n) {
@@ -97,7 +98,7 @@ class Evaluation {
     result_.certificate.statistics["seconds.prepare"] = seconds_since(start_);
     Try best = settle(grazes);
     Polish polish = engine_.polish(best.run);
-    keep_apart_as_floats(best, polish);
+    if (best.run.unresolved.empty()) keep_apart_as_floats(best, polish);
     deliver(best.run, polish, best.grazes);
   }
 
@@ -137,11 +138,12 @@ class Evaluation {
       best.shifts = shifts;
       polish = std::move(other);
     };
-    if (polish.tight && !best.grazes.empty() && best.shifts.empty() && !out_of_budget(best.run)) {
+    if (polish.tight && !best.grazes.empty() && best.shifts.empty()) {
       const std::vector<Vec3> shifts = shifts_off_grazes(table_at({}), best.grazes, 0.25 * tolerances_.contact);
       if (farthest(shifts) > 0) try_instead(best_run(shifts, Engine::Effort::usual), shifts);
     }
-    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty() && !out_of_budget(best.run); ++attempt)
+    if (polish.meet_as_floats.size() > few_places) return;
+    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty(); ++attempt)
       try_instead(engine_.run(table_at(best.shifts), farthest(best.shifts), most_attempts + attempt), best.shifts);
   }
 
