@@ -1,6 +1,6 @@
 // A certificate as a file: one self-contained JSON text with everything that a check of it needs.
 //
-// Holds the operands' meshes, the half-spaces, the expression, the options asked for, the result and every field of the
+// Holds the operands' meshes, the half-spaces and curved solids, the expression, the options asked for, the result and every field of the
 // certificate. Numbers are written shortest round trip, so every double comes back bit-identical; what JSON has no number
 // for is the string "infinity", "-infinity" or "nan".
 // Guarantees: what read_certificate() returns is finite where it is geometry, and every index is in range. Says nothing
@@ -29,7 +29,7 @@ struct StoredOperand {
   StoredMesh mesh;
 };
 
-/// A node of the expression. A leaf refers to an operand or a half-space, an inner node to nodes before it.
+/// A node of the expression. A leaf refers to an operand, a half-space or a curved solid, an inner node to nodes before it.
 struct StoredNode {
   Expression::Kind kind = Expression::Kind::polyhedron;
   std::uint32_t leaf = 0;
@@ -39,6 +39,7 @@ struct StoredNode {
 struct CertificateFile {
   std::vector<StoredOperand> operands;
   std::vector<HalfSpace> half_spaces;
+  std::vector<CurvedSolidPtr> curved;
   std::vector<StoredNode> expression;  ///< the last node is the root; empty: the result is no Boolean
   std::optional<double> error;         ///< as asked for; none: the default
   std::optional<double> contact;
@@ -46,7 +47,7 @@ struct CertificateFile {
   Certificate certificate;
 };
 
-/// Appends the expression's nodes, operands and half-spaces to the file; a solid that occurs twice is stored once.
+/// Appends the expression's nodes and leaves to the file; a solid that occurs twice is stored once.
 void store_expression(const Expression& expression, CertificateFile& file);
 
 /// Throws FileError; whatever stood at `path` before then stays.

@@ -111,9 +111,10 @@ StoredNode read_node(const Value& value, const CertificateFile& file) {
   for (const auto& [kind, word] : certificate_kinds)
     if (name == word) node.kind = kind, known = true;
   if (!known) value["kind"].fail("is '" + name + "', which is no kind of expression");
-  if (node.kind == Expression::Kind::polyhedron || node.kind == Expression::Kind::half_space) {
-    const bool is_operand = node.kind == Expression::Kind::polyhedron;
-    node.leaf = value["index"].index(is_operand ? file.operands.size() : file.half_spaces.size());
+  if (is_leaf(node.kind)) {
+    node.leaf = value["index"].index(node.kind == Expression::Kind::polyhedron   ? file.operands.size()
+                                     : node.kind == Expression::Kind::half_space ? file.half_spaces.size()
+                                                                                 : file.curved.size());
     return node;
   }
   const Value children = value["children"];
@@ -121,6 +122,30 @@ StoredNode read_node(const Value& value, const CertificateFile& file) {
   if (node.children.empty()) children.fail("is empty");
   if (node.kind == Expression::Kind::complement && node.children.size() != 1) children.fail("must be one node");
   return node;
+}
+
+CurvedSolidPtr read_curved(const Value& value) {
+  const std::string name = value["kind"].text();
+  const Value parameters = value["parameters"], maps = value["maps"];
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < parameters.size(); ++k) numbers.push_back(parameters.at(k).finite());
+  std::vector<Eigen::Matrix4d> matrices;
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const Value rows = maps.at(k);
+    if (rows.size() != 12) rows.fail("is no map: it needs twelve numbers");
+    Eigen::Matrix4d map = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < 12; ++i) map(i / 4, i % 4) = rows.at(static_cast<std::size_t>(i)).finite();
+    matrices.push_back(map);
+  }
+  for (const CurvedSolid::Kind kind : curved_kinds) {
+    if (name != CurvedSolid::name_of(kind)) continue;
+    try {
+      return CurvedSolid::restored(kind, numbers, matrices);
+    } catch (const std::invalid_argument& error) {
+      value.fail(std::string("is no ") + name + ": " + error.what());
+    }
+  }
+  value["kind"].fail("is '" + name + "', which is no kind of curved solid");
 }
 
 Verdict read_verdict(const Value& value) {
@@ -164,6 +189,10 @@ CertificateFile read_file(const Value& root) {
   for (std::size_t k = 0; k < half_spaces.size(); ++k) {
     file.half_spaces.push_back({half_spaces.at(k)["point"].point(), half_spaces.at(k)["normal"].point()});
     if (file.half_spaces.back().normal.isZero(0.0)) half_spaces.at(k)["normal"].fail("is zero");
+  }
+  if (root.json.contains("curved")) {
+    const Value curved = root["curved"];
+    for (std::size_t k = 0; k < curved.size(); ++k) file.curved.push_back(read_curved(curved.at(k)));
   }
   for (std::size_t k = 0; k < expression.size(); ++k) file.expression.push_back(read_node(expression.at(k), file));
   file.error = root["options"]["error"].optional_length();

@@ -38,11 +38,24 @@ Json node(const StoredNode& node) {
   Json json;
   for (const auto& [kind, name] : certificate_kinds)
     if (kind == node.kind) json["kind"] = name;
-  if (node.kind == Expression::Kind::polyhedron || node.kind == Expression::Kind::half_space)
+  if (is_leaf(node.kind))
     json["index"] = node.leaf;
   else
     json["children"] = node.children;
   return json;
+}
+
+// The numbers it was made from and the maps it went through: from these its surfaces follow without rounding.
+Json curved_solid(const CurvedSolid& solid) {
+  Json parameters = Json::array(), maps = Json::array();
+  for (const double x : solid.parameters()) parameters.push_back(number(x));
+  for (const Eigen::Matrix4d& map : solid.maps()) {
+    Json rows = Json::array();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 4; ++j) rows.push_back(number(map(i, j)));
+    maps.push_back(std::move(rows));
+  }
+  return {{"kind", solid.name()}, {"parameters", std::move(parameters)}, {"maps", std::move(maps)}};
 }
 
 Json fields(const Certificate& c) {
@@ -64,11 +77,12 @@ Json fields(const Certificate& c) {
 }
 
 Json to_json(const CertificateFile& file) {
-  Json operands = Json::array(), half_spaces = Json::array(), expression = Json::array();
+  Json operands = Json::array(), half_spaces = Json::array(), curved = Json::array(), expression = Json::array();
   for (const StoredOperand& operand : file.operands)
     operands.push_back({{"name", operand.name}, {"deflection", number(operand.deflection)}, {"mesh", mesh(operand.mesh)}});
   for (const HalfSpace& h : file.half_spaces)
     half_spaces.push_back({{"point", point(h.point)}, {"normal", point(h.normal)}});
+  for (const CurvedSolidPtr& solid : file.curved) curved.push_back(curved_solid(*solid));
   for (const StoredNode& n : file.expression) expression.push_back(node(n));
   return {{"format", certificate_format},
           {"version", certificate_version},
@@ -76,6 +90,7 @@ Json to_json(const CertificateFile& file) {
           {"options", {{"error", number(file.error)}, {"contact", number(file.contact)}}},
           {"expression", std::move(expression)},
           {"half_spaces", std::move(half_spaces)},
+          {"curved", std::move(curved)},
           {"operands", std::move(operands)},
           {"result", mesh(file.result)}};
 }
@@ -91,6 +106,10 @@ class Storing {
     else if (e.kind() == Expression::Kind::half_space) {
       node.leaf = static_cast<std::uint32_t>(file_.half_spaces.size());
       file_.half_spaces.push_back(e.half_space());
+    } else if (e.kind() == Expression::Kind::curved) {
+      const auto [place, is_new] = curved_.emplace(e.curved().get(), static_cast<std::uint32_t>(file_.curved.size()));
+      if (is_new) file_.curved.push_back(e.curved());
+      node.leaf = place->second;
     } else {
       for (const Expression& child : e.operands()) node.children.push_back(store(child));
     }
@@ -109,6 +128,7 @@ class Storing {
 
   CertificateFile& file_;
   std::map<const Polyhedron*, std::uint32_t> known_;
+  std::map<const CurvedSolid*, std::uint32_t> curved_;
 };
 
 }  // namespace

@@ -146,6 +146,7 @@ Mesh evaluate(const CertificateFile& file) {
       case Expression::Kind::half_space:
         values.push_back({cuboid(file.half_spaces[node.leaf], box.center(), radius)});
         continue;
+      case Expression::Kind::curved: throw Undecided("an operand is curved, and CGAL's Booleans are of polyhedra");
       case Expression::Kind::complement: values.push_back(complement(values[node.children.front()])); continue;
       default: break;
     }

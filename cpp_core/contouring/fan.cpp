@@ -27,6 +27,7 @@ class FanMaker {
       case Sheet::Shape::crease: return crease();
       case Sheet::Shape::corner: return cone(sheet_.apex);
       case Sheet::Shape::slab: return slab();
+      case Sheet::Shape::graph: return graph();
       case Sheet::Shape::flats:
       case Sheet::Shape::loose: break;
     }
@@ -122,6 +123,24 @@ class FanMaker {
     return cone(0.5 * (ends[0] + ends[1]));
   }
 
+  // Triangles over arcs on a plane are on it if the apex is on all such planes.
+  Fan graph() const {
+    std::vector<Vec3> points;
+    for (const std::uint32_t v : loop_.vertices) points.push_back(vertices_[v]);
+    const GraphFan best = graph_fan(table_, cell_, sheet_, points, loop_.sways, loop_.gap, margin_);
+    return with_apex(best.apex, best.bound);
+  }
+
+  Fan with_apex(const Vec3& apex, double bound) const {
+    Fan fan;
+    fan.apex = apex;
+    fan.bound = std::min(bound, cell_.diagonal().norm());
+    fan.on_planes = std::all_of(loop_.surfaces.begin(), loop_.surfaces.end(), [&](std::uint32_t id) {
+      return id == no_surface || table_.surfaces[id].distance(apex) <= 1e-12 * scale();
+    });
+    return fan;
+  }
+
   bool faces_direction(const Vec3& apex) const {
     const std::size_t n = loop_.vertices.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -186,7 +205,8 @@ class FanMaker {
   // Nothing but the cell holds them together.
   Fan anything() {
     Fan fan;
-    fan.apex = clamped(error_minimiser());
+    fan.apex = clamped(sheet_.surfaces.empty() ? error_minimiser() : common_place(table_, sheet_.surfaces, centroid_));
+    if (!fan.apex.allFinite()) fan.apex = clamped(centroid_);
     fan.bound = cell_.diagonal().norm();
     return fan;
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contouring/surface_mesh.h"
+#include "subdivision/graph_shape.h"
 #include "subdivision/leaf.h"
 
 namespace starcell {
@@ -15,7 +16,8 @@ struct DrawnLoop {
   std::vector<std::uint32_t> surfaces;   ///< surfaces[k]: plane of the segment from vertex k to k+1, or no_surface
   std::vector<CornerName> names;         ///< names[k]: what vertex k is to V-planes; zeros: a point that it does not know
   Vec3 shift = Vec3::Zero();             ///< how its crossings were moved, on average: to keep sheets apart
-  double gap = 0;                        ///< Fréchet distance to E's loop
+  double gap = 0;                        ///< Fréchet distance to E's loop, but for its sway
+  std::vector<Sway> sways;               ///< of the arcs
 };
 
 struct Fan {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numerics/vector.h"
+#include "solids/curved_solid.h"
 #include "solids/half_space.h"
 #include "solids/polyhedron.h"
 
@@ -17,10 +18,11 @@ namespace starcell {
 
 class Expression {
  public:
-  enum class Kind { polyhedron, half_space, set_union, intersection, complement };
+  enum class Kind { polyhedron, half_space, curved, set_union, intersection, complement };
 
   explicit Expression(PolyhedronPtr solid);
   explicit Expression(const HalfSpace& half_space);
+  explicit Expression(CurvedSolidPtr solid);
 
   /// Union and intersection of one or more expressions. Throws std::invalid_argument when empty.
   static Expression set_union(const std::vector<Expression>& operands);
@@ -34,6 +36,7 @@ class Expression {
   Kind kind() const { return node_->kind; }
   const PolyhedronPtr& polyhedron() const { return node_->polyhedron; }     ///< kind() == polyhedron
   const HalfSpace& half_space() const { return *node_->half_space; }        ///< kind() == half_space
+  const CurvedSolidPtr& curved() const { return node_->curved; }            ///< kind() == curved
   const std::vector<Expression>& operands() const { return node_->operands; }
 
   /// A box that contains the solid. Throws UnboundedError if none can be derived.
@@ -45,6 +48,7 @@ class Expression {
     Kind kind;
     PolyhedronPtr polyhedron;
     std::shared_ptr<const HalfSpace> half_space;
+    CurvedSolidPtr curved;
     std::vector<Expression> operands;
   };
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}

@@ -37,7 +37,7 @@ void add_statistics(const Statistics& s, Certificate& c) {
   };
   put("cells", s.cells), put("leaves", s.leaves), put("max_depth", s.max_depth);
   put("faces.link", s.face_link), put("faces.planes", s.face_planes), put("faces.split", s.face_split);
-  put("faces.cone", s.face_cone), put("voxels.link", s.voxel_link), put("voxels.cone", s.voxel_cone);
+  put("faces.cone", s.face_cone), put("faces.star", s.face_star), put("voxels.patches", s.voxel_patches), put("voxels.link", s.voxel_link), put("voxels.cone", s.voxel_cone);
   put("voxels.planes", s.voxel_planes), put("voxels.star", s.voxel_star), put("voxels.complex_cell", s.voxel_complex);
   put("guard_tests.witness", s.guard_witness), put("guard_tests.linear_program", s.guard_program);
   put("guard_tests.failed", s.guard_failed);
@@ -151,7 +151,7 @@ class Evaluation {
   const FacetTable& table_at(const std::vector<Vec3>& shifts) {
     if (!table_ || table_shifts_ != shifts) {
       table_.reset();   // two at once would be the peak of memory
-      table_ = gather_facets(operands_.solids, identical(), shifts);
+      table_ = gather_facets(operands_.solids, identical(), shifts, operands_.regions);
       table_shifts_ = shifts;
     }
     return *table_;
@@ -194,7 +194,7 @@ class Evaluation {
   static bool few_surfaces(const FacetTable& table) {
     std::vector<std::uint32_t> ids = table.surface;
     std::sort(ids.begin(), ids.end());
-    return std::unique(ids.begin(), ids.end()) - ids.begin() <= few_planes;
+    return table.regions.empty() && std::unique(ids.begin(), ids.end()) - ids.begin() <= few_planes;
   }
 
   // Takes the mesh over if it is what every verdict promises: closed, manifold, embedded. Only cells that a budget left open

@@ -18,6 +18,8 @@ constexpr int patient_rounds = 4;
 constexpr std::size_t deep_for_a_look = 5000;
 // Up to this many leaves another position of the grid is cheaper than the exactness that one lost.
 constexpr std::size_t small_tree = 5000;
+// A region counts as much as this many facets when a budget of cells is made.
+constexpr double regions_as_facets = 1000;
 
 // Adds the seconds of its life to a statistic.
 class Timed {
@@ -39,10 +41,10 @@ void report(const Octree& tree, const FacetTable& table, Run& run) {
     if (leaf->contact) run.contacts.push_back(box);
     if (leaf->resolved) continue;
     run.unresolved.push_back(box);
-    const auto& facets = leaf->problem.facets;
-    if (facets.empty()) continue;
-    const std::uint32_t first = table.operand_of(facets.front()), last = table.operand_of(facets.back());
-    if (first != last) run.suspects.push_back({first, last, box.center()});
+    const auto& solids = leaf->problem.expression.solids();
+    if (solids.empty()) continue;
+    const auto body = [&](std::uint32_t operand) { return table.is_region(operand) ? table.region(operand).body : operand; };
+    if (body(solids.front()) != body(solids.back())) run.suspects.push_back({body(solids.front()), body(solids.back()), box.center()});
   }
 }
 
@@ -62,16 +64,18 @@ Run Engine::run(const FacetTable& table, double moved, int attempt, Effort effor
   Octree tree;
   {
     const Timed timed(timings_["seconds.subdivide"]);
-    tree = subdivision.build(restriction.root(operands_.expression.simplified(std::vector<State>(operands_.solids.size(), State::mixed))));
+    tree = subdivision.build(restriction.root(operands_.expression.simplified(std::vector<State>(operands_.size(), State::mixed))));
   }
   const Timed timed(timings_["seconds.contour"]);
   Contour contour = refine_until_good(restriction, subdivision, tree, settings);
   timings_["grid_attempts"] += 1;
-  run.grazes = grazes_grid(tree, contour.bound);
+  run.grazes = restriction.grid_grazes() || grazes_grid(tree, contour.bound);
   run.exhausted = subdivision.exhausted();
   run.mesh = std::move(contour.mesh);
   run.bound = table.thickest + moved + contour.bound;
   report(tree, table, run);
+  // A grid point on a curved surface: no sign there is certain, so nothing is proved.
+  if (restriction.grid_grazes()) run.unresolved.push_back(box_of(run.grid, {{0, 0, 0}, std::uint32_t{1} << run.grid.depth, 0}));
   return run;
 }
 
@@ -117,6 +121,7 @@ SubdivisionLimits Engine::limits(const Grid& grid, Effort effort) const {
 std::size_t Engine::cells_for(Effort effort) const {
   double facets = 0;
   for (const auto& solid : operands_.solids) facets += static_cast<double>(solid->triangles().size());
+  facets += regions_as_facets * static_cast<double>(operands_.regions.size());
   if (effort == Effort::a_look) return static_cast<std::size_t>(1e5 + 3 * facets);
   const double across = std::isinf(tolerances_.error) ? 1 : longest_side(box_) / tolerances_.error;
   return static_cast<std::size_t>(std::min(5e7, 1.5e6 + 20 * facets + 20 * across * across));
@@ -130,7 +135,7 @@ bool Engine::grazes_grid(const Octree& tree, double bound) const {
   for (const Leaf* leaf : leaves) {
     if (!leaf->resolved) return false;
     for (const Sheet& sheet : leaf->sheets)
-      if (sheet.contact || sheet.shape == Sheet::Shape::slab || sheet.shape == Sheet::Shape::loose) return false;
+      if (sheet.contact || sheet.shape == Sheet::Shape::slab || sheet.shape == Sheet::Shape::graph || sheet.shape == Sheet::Shape::loose) return false;
   }
   return true;
 }

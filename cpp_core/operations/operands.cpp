@@ -33,6 +33,7 @@ class Gatherer {
     switch (e.kind()) {
       case Expression::Kind::polyhedron: leaf(e.polyhedron().get(), e.polyhedron()); return;
       case Expression::Kind::half_space: leaf(&e.half_space(), nullptr, &e.half_space()); return;
+      case Expression::Kind::curved: curved(e.curved()); return;
       default: break;
     }
     for (const Expression& operand : e.operands()) visit(operand);
@@ -45,8 +46,30 @@ class Gatherer {
 
   std::vector<LocalExpression::Step> program;
   std::vector<PolyhedronPtr> solids;
+  std::vector<RegionOperand> regions;
+
+  // Regions are numbered after all polyhedra, whose number is known only now.
+  void number_regions() {
+    for (auto& step : program)
+      if (step.op == LocalExpression::Op::leaf && step.count >= first_region) step.count += static_cast<std::uint32_t>(solids.size()) - first_region;
+  }
 
  private:
+  static constexpr std::uint32_t first_region = 0x80000000u;
+
+  void curved(const CurvedSolidPtr& solid) {
+    const auto [it, fresh] = index_.emplace(solid.get(), static_cast<std::uint32_t>(regions.size()));
+    const std::uint32_t body = it->second;
+    if (fresh) {
+      const Box3 box = solid->bounding_box().value_or(box_);
+      for (const SmoothSurfacePtr& surface : solid->surfaces()) regions.push_back({surface, {}, box, body});
+      for (const EndPlane& end : solid->ends()) regions.push_back({nullptr, end, box, body});
+    }
+    const auto faces = static_cast<std::uint32_t>(solid->surfaces().size() + solid->ends().size());
+    for (std::uint32_t k = 0; k < faces; ++k) program.push_back({LocalExpression::Op::leaf, first_region + body + k});
+    if (faces > 1) program.push_back({LocalExpression::Op::intersection, faces});
+  }
+
   void leaf(const void* key, PolyhedronPtr solid, const HalfSpace* half_space = nullptr) {
     const auto [it, fresh] = index_.emplace(key, static_cast<std::uint32_t>(solids.size()));
     if (fresh) solids.push_back(half_space ? cover(*half_space, box_) : std::move(solid));
@@ -62,9 +85,10 @@ class Gatherer {
 Operands gather_operands(const Expression& expression, const Box3& box) {
   Gatherer gatherer(box);
   gatherer.visit(expression);
-  std::vector<std::uint32_t> all(gatherer.solids.size());
+  gatherer.number_regions();
+  std::vector<std::uint32_t> all(gatherer.solids.size() + gatherer.regions.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  return {std::move(gatherer.solids), LocalExpression(std::move(gatherer.program), std::move(all))};
+  return {std::move(gatherer.solids), std::move(gatherer.regions), LocalExpression(std::move(gatherer.program), std::move(all))};
 }
 
 }  // namespace starcell

@@ -3,15 +3,19 @@
 
 #include "expression/expression.h"
 #include "expression/local_expression.h"
+#include "subdivision/facets.h"
 
 namespace starcell {
 
 struct Operands {
   std::vector<PolyhedronPtr> solids;   ///< each once, however often it occurs
+  std::vector<RegionOperand> regions;   ///< those of curved solids; they come after all polyhedra
   LocalExpression expression;
+
+  std::size_t size() const { return solids.size() + regions.size(); }
 };
 
-/// Half-spaces become large boxes that agree with them inside `box`.
+/// Curved solids become intersections of regions, half-spaces large boxes that agree with them inside `box`.
 Operands gather_operands(const Expression& expression, const Box3& box);
 
 }  // namespace starcell

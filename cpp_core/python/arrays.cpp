@@ -58,6 +58,12 @@ Vec3 read_vector(const py::handle& object, const char* argument) {
   return {array.at(0), array.at(1), array.at(2)};
 }
 
+Eigen::Matrix3d read_matrix3(const py::handle& object, const char* argument) {
+  const Doubles array = converted<double>(any_array(object, argument), argument);
+  if (array.ndim() != 2 || array.shape(0) != 3 || array.shape(1) != 3) wrong_shape(argument, "(3, 3)", array);
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(array.data());
+}
+
 Eigen::Matrix4d read_matrix4(const py::handle& object, const char* argument) {
   const Doubles array = converted<double>(any_array(object, argument), argument);
   if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4) wrong_shape(argument, "(4, 4)", array);

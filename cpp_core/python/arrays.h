@@ -15,6 +15,9 @@ namespace py = pybind11;
 /// Shape (3,). Throws ValueError for another shape, TypeError for what is no number.
 Vec3 read_vector(const py::handle& object, const char* argument);
 
+/// Shape (3, 3), row by row.
+Eigen::Matrix3d read_matrix3(const py::handle& object, const char* argument);
+
 /// Shape (4, 4), row by row.
 Eigen::Matrix4d read_matrix4(const py::handle& object, const char* argument);
 

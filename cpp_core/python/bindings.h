@@ -42,11 +42,13 @@ struct HalfSpaceSolid : Expression {
   using Expression::Expression;
 };
 
-/// The expression as the most special Python class: Polyhedron, HalfSpace, or Solid.
+/// The expression as the most special Python class: Polyhedron, HalfSpace, Sphere, ..., or Solid.
 py::object wrap(const Expression& expression);
+py::object wrap_curved(const CurvedSolidPtr& solid);
 
 void bind_exceptions(py::module_& module);
 void bind_solids(py::module_& module);
+void bind_curved_solids(py::module_& module);
 void bind_expressions(py::class_<Expression>& solid, py::module_& module);
 void bind_certificate(py::module_& module);
 void bind_operations(py::module_& module);

@@ -45,6 +45,7 @@ std::string describe(const Expression& solid) {
   switch (solid.kind()) {
     case Expression::Kind::polyhedron: return std::to_string(solid.polyhedron()->triangles().size()) + " triangles";
     case Expression::Kind::half_space: return "half-space";
+    case Expression::Kind::curved: return solid.curved()->name();
     case Expression::Kind::set_union: return "union of " + std::to_string(solid.operands().size());
     case Expression::Kind::intersection: return "intersection of " + std::to_string(solid.operands().size());
     case Expression::Kind::complement: return "complement";
@@ -66,6 +67,7 @@ py::object wrap(const Expression& expression) {
   switch (expression.kind()) {
     case Expression::Kind::polyhedron: return py::cast(PolyhedronSolid(expression.polyhedron()));
     case Expression::Kind::half_space: return py::cast(HalfSpaceSolid(expression.half_space()));
+    case Expression::Kind::curved: return wrap_curved(expression.curved());
     default: return py::cast(expression);
   }
 }

@@ -11,5 +11,6 @@ PYBIND11_MODULE(starcell, module) {
   bind_exceptions(module);
   bind_certificate(module);
   bind_solids(module);
+  bind_curved_solids(module);
   bind_operations(module);
 }

@@ -7,6 +7,7 @@
 #include "subdivision/face_link.h"
 #include "subdivision/face_pieces.h"
 #include "subdivision/face_force.h"
+#include "subdivision/face_star.h"
 #include "subdivision/face_trace.h"
 #include "subdivision/grid_line.h"
 #include "subdivision/loops.h"
@@ -130,10 +131,11 @@ bool Acceptance::hopeless(const CellProblem& problem, const Box3& box) const {
 
 std::optional<Leaf> Acceptance::accept(CellProblem& problem) const {
   Leaf leaf;
-  if (!problem.facets.empty()) {
+  if (!problem.empty(restriction_.table())) {
     const Box3 box = box_of(restriction_.grid(), problem.cell);
     if (hopeless(problem, box)) return std::nullopt;
-    const bool ok = settings_.criterion == Criterion::complex_cell ? accept_complex(problem, box, leaf)
+    const bool ok = problem.has_regions(restriction_.table())      ? accept_patches(problem, box, leaf)
+                    : settings_.criterion == Criterion::complex_cell ? accept_complex(problem, box, leaf)
                     : groups_may_cross(restriction_, problem, box) ? accept_crossing(problem, box, leaf)
                                                                    : accept_linked(problem, box, leaf);
     if (!ok) return std::nullopt;
@@ -329,7 +331,9 @@ Leaf Acceptance::give_up(CellProblem& problem) const {
   for (int side = 0; side < 6; ++side) {
     const Face face = face_of(problem.cell, side);
     std::optional<std::vector<Arc>> arcs;
-    if (problem.slots() <= max_slots)
+    if (problem.has_regions(restriction_.table())) {
+      if (const auto patches = Patches::of(restriction_, problem)) arcs = star_face(restriction_, problem, *patches, face, settings_.error, statistics_);
+    } else if (problem.slots() <= max_slots)
       arcs = trace_face(restriction_, problem, problem.facets, face, settings_.pull, LocalPlanes(), statistics_);
     leaf.arcs[side] = arcs ? std::move(*arcs) : force_face(restriction_, problem, face);
   }

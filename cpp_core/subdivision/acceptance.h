@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "subdivision/leaf.h"
+#include "subdivision/loops.h"
 #include "subdivision/local_planes.h"
+#include "subdivision/patch_view.h"
 #include "subdivision/settings.h"
 #include "subdivision/statistics.h"
 
@@ -42,6 +44,9 @@ class Acceptance {
   bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_thin(const CellProblem& problem, const Box3& box, const LocalPlanes& local, Leaf& leaf) const;
+  bool accept_patches(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  Sheet class_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, const Box3& box) const;
+  bool near_enough(const Sheet& sheet, const Loop& loop, const Box3& box) const;
   bool trace_faces(const CellProblem& problem, const LocalPlanes& local, Leaf& leaf) const;
   bool small_enough(const Box3& box) const;
   bool worth_isolating(const std::vector<std::uint32_t>& surfaces, const Box3& box) const;

@@ -16,6 +16,22 @@ std::uint32_t Restriction::slot_of(const CellProblem& problem, std::uint32_t fac
   return static_cast<std::uint32_t>(std::lower_bound(solids.begin(), solids.end(), operand) - solids.begin());
 }
 
+bool Restriction::region_contains(std::uint32_t operand, const Vec3& x) const {
+  const Region& region = table_.region(operand);
+  const Rounding rounding;
+  const Interval value = table_.surfaces[region.surface].expand(x, Vec3::Zero()).value;
+  if (certain_sign(value) == 0) grazes_.store(true, std::memory_order_relaxed);
+  return (middle(value) < 0) != region.complement;
+}
+
+State Restriction::region_state(std::uint32_t operand, const Box3& box) const {
+  const Region& region = table_.region(operand);
+  const Rounding rounding;
+  const int sign = certain_sign(table_.surfaces[region.surface].expand(box.center(), 0.5 * box.sizes()).range());
+  if (sign == 0) return State::mixed;
+  return (sign < 0) != region.complement ? State::inside : State::outside;
+}
+
 CellProblem Restriction::root(const LocalExpression& expression) const {
   CellProblem problem;
   problem.cell = {{0, 0, 0}, std::uint32_t{1} << grid_.depth, 0};
@@ -24,6 +40,10 @@ CellProblem Restriction::root(const LocalExpression& expression) const {
   const Box3 box = box_of(grid_, problem.cell);
   for (std::size_t slot = 0; slot < expression.solids().size(); ++slot) {
     const std::uint32_t operand = expression.solids()[slot];
+    if (table_.is_region(operand)) {
+      problem.at_lower[slot] = region_contains(operand, box.min());
+      continue;
+    }
     for (std::uint32_t f = table_.first[operand]; f < table_.first[operand + 1]; ++f) {
       // Outside far away: parity along the line that leaves the root's lower corner downwards.
       const int sign = line_meets(table_, f, 0, box.min());
@@ -40,7 +60,13 @@ void Restriction::simplify(CellProblem& problem) const {
   std::vector<State> states(slots);
   bool fold = false;
   std::size_t at = 0;
+  const Box3 box = box_of(grid_, problem.cell);
   for (std::size_t slot = 0; slot < slots; ++slot) {
+    if (const std::uint32_t operand = problem.expression.solids()[slot]; table_.is_region(operand)) {
+      states[slot] = region_state(operand, box);
+      fold = fold || states[slot] != State::mixed;
+      continue;
+    }
     const std::uint32_t end = table_.first[problem.expression.solids()[slot] + 1];
     const std::size_t begin = at;
     while (at < problem.facets.size() && problem.facets[at] < end) {
@@ -67,6 +93,7 @@ void Restriction::simplify(CellProblem& problem) const {
   for (const std::uint32_t solid : next.solids()) {
     while (problem.expression.solids()[old_slot] != solid) ++old_slot;
     at_lower.push_back(problem.at_lower[old_slot]);
+    if (table_.is_region(solid)) continue;
     const auto first = std::lower_bound(problem.facets.begin(), problem.facets.end(), table_.first[solid]);
     const auto last = std::lower_bound(first, problem.facets.end(), table_.first[solid + 1]);
     facets.insert(facets.end(), first, last);
@@ -121,6 +148,10 @@ std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) cons
     }
   }
   for (std::size_t k = 0; k < slots; ++k) {
+    if (const std::uint32_t operand = parent.expression.solids()[k]; table_.is_region(operand)) {
+      for (int i = 0; i < 8; ++i) result[i].at_lower.push_back(i == 0 ? parent.at_lower[k] : region_contains(operand, boxes[i].min()));
+      continue;
+    }
     std::array<char, 8> inside{};
     inside[0] = parent.at_lower[k];
     inside[1] = inside[0] ^ (flips[k] & 1);
@@ -147,6 +178,8 @@ std::vector<char> Restriction::membership_at(const CellProblem& problem, const G
     }
     at[axis] = target[axis];
   }
+  for (std::size_t slot = 0; slot < problem.slots(); ++slot)
+    if (const std::uint32_t operand = problem.expression.solids()[slot]; table_.is_region(operand)) inside[slot] = region_contains(operand, target);
   return inside;
 }
 

@@ -3,9 +3,11 @@
 //
 // Rests on T§3.10 (cell culling, expression simplification), top down: a child's problem is made from its parent's and
 // nothing is ever searched for globally. Guarantees: `facets` are exactly the facets of the remaining solids that meet
-// the (perturbed) cell, ascending, hence grouped by solid in slot order.
+// the (perturbed) cell, ascending, hence grouped by solid in slot order; a region remains where its function is not
+// certain of one sign in the cell.
 #pragma once
 
+#include <atomic>
 #include <optional>
 
 #include "expression/local_expression.h"
@@ -21,6 +23,9 @@ struct CellProblem {
   std::vector<char> at_lower;   ///< per slot: is the lower corner inside that solid
 
   std::size_t slots() const { return expression.solids().size(); }
+  bool empty(const FacetTable& table) const { return facets.empty() && !has_regions(table); }
+  /// Regions come after polyhedra.
+  bool has_regions(const FacetTable& table) const { return !expression.solids().empty() && table.is_region(expression.solids().back()); }
 };
 
 class Restriction {
@@ -45,6 +50,13 @@ class Restriction {
   template <class Skip>
   std::optional<Membership> mask_near(const CellProblem& problem, const Vec3& x, double margin, Skip skip) const;
 
+  /// Is the point inside the region? Where that is not certain the grid is said to graze.
+  bool region_contains(std::uint32_t operand, const Vec3& x) const;
+  /// What is known of a region in a box.
+  State region_state(std::uint32_t operand, const Box3& box) const;
+  /// Did a grid point lie on a region's surface, as far as can be told? Another grid has to be tried.
+  bool grid_grazes() const { return grazes_.load(std::memory_order_relaxed); }
+
   /// The slot of a facet of the problem.
   std::uint32_t slot_of(const CellProblem& problem, std::uint32_t facet) const;
 
@@ -57,6 +69,7 @@ class Restriction {
 
   const FacetTable& table_;
   const Grid& grid_;
+  mutable std::atomic<bool> grazes_{false};
 };
 
 template <class Skip>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "subdivision/face_cone.h"
+#include "subdivision/face_join.h"
 #include "subdivision/face_link.h"
 #include "subdivision/face_planes.h"
 
@@ -82,46 +83,7 @@ class FaceTracer {
       parts.insert(parts.end(), std::make_move_iterator(arcs->begin()), std::make_move_iterator(arcs->end()));
     }
     count(statistics_.face_split);
-    return join(std::move(parts));
-  }
-
-  // An arc that ends where another starts goes on in it; what never starts on the rim is a closed curve.
-  static std::optional<std::vector<Arc>> join(std::vector<Arc> parts) {
-    std::vector<Arc> arcs;
-    std::erase_if(parts, [&](Arc& part) {
-      if (part.closed) arcs.push_back(std::move(part));
-      return part.closed;
-    });
-    const auto starting_at = [&](const Crossing& x) {
-      return static_cast<std::size_t>(std::find_if(parts.begin(), parts.end(), [&](const Arc& p) { return p.start == x; }) -
-                                      parts.begin());
-    };
-    std::vector<char> inner(parts.size(), 0), used(parts.size(), 0);
-    for (const Arc& arc : parts)
-      if (const std::size_t next = starting_at(arc.end); next < parts.size()) inner[next] = 1;
-    for (const bool closed : {false, true})
-      for (std::size_t first = 0; first < parts.size(); ++first) {
-        if (used[first] || (!closed && inner[first])) continue;
-        Arc arc = parts[first];
-        used[first] = 1;
-        std::size_t next = starting_at(arc.end);
-        for (; next < parts.size() && !used[next]; next = starting_at(arc.end)) {
-          used[next] = 1;
-          append(arc, parts[next]);
-        }
-        if ((next == parts.size()) == closed) return std::nullopt;
-        if (closed && (next != first || !close(arc))) return std::nullopt;
-        arcs.push_back(std::move(arc));
-      }
-    return arcs;
-  }
-
-  static void append(Arc& arc, const Arc& tail) {
-    arc.bends.insert(arc.bends.end(), tail.bends.begin(), tail.bends.end());
-    arc.surfaces.insert(arc.surfaces.end(), tail.surfaces.begin() + 1, tail.surfaces.end());
-    arc.end = tail.end;
-    arc.contact = arc.contact || tail.contact;
-    arc.concurrent = arc.concurrent || tail.concurrent;
+    return join_arcs(std::move(parts));
   }
 
   const Restriction& restriction_;

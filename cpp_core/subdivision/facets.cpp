@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "subdivision/grazes.h"
+#include "subdivision/region_identity.h"
 #include "subdivision/near_facets.h"
 #include "subdivision/surface_identity.h"
 
@@ -81,6 +82,21 @@ void find_surfaces(FacetTable& table, double tolerance) {
 
 }  // namespace
 
+Expansion Surface::expand(const Vec3& center, const Vec3& reach) const {
+  if (form) return form->expand(center, reach);
+  Expansion e;
+  e.reach = reach;
+  e.value = dot(enclose(center), normal) - offset;
+  e.gradient = e.slope = enclose(normal);
+  return e;
+}
+
+double Surface::value(const Vec3& x, Vec3* gradient) const {
+  if (form) return form->value(x, gradient);
+  if (gradient) *gradient = normal;
+  return normal.dot(x) - offset;
+}
+
 double FacetTable::distance(const Surface& s, std::uint32_t facet) const {
   double d = 0;
   for (int k = 0; k < 3; ++k) d = std::max(d, s.distance(corner(facet, k)));
@@ -96,7 +112,8 @@ std::uint32_t FacetTable::operand_of(std::uint32_t facet) const {
   return static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), facet) - first.begin() - 1);
 }
 
-FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts) {
+FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts,
+                         const std::vector<RegionOperand>& regions) {
   FacetTable table;
   std::size_t points = 0, facets = 0;
   for (const auto& solid : operands) points += solid->vertices().size(), facets += solid->triangles().size();
@@ -130,6 +147,7 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
     s.thickness = std::max(s.thickness, table.distance(s, f) + evaluation);
     table.thickest = std::max(table.thickest, s.thickness);
   }
+  add_regions(table, regions, std::max(contact, rounding_scale * scale), shifts);
   return table;
 }
 

@@ -1,6 +1,7 @@
-// The facets of all operands in one table: what the octree pushes down its cells.
+// What bounds the operands, in one table: facets, which the octree pushes down its cells, and regions.
 //
-// Facets of one operand are consecutive. A *surface* is a supporting plane with an identity: facets of one operand that
+// An operand is a polyhedron, or a *region*: one side of a smooth surface or of a plane. Polyhedra come first. Facets of one
+// operand are consecutive. A *surface* is a supporting plane or a smooth surface with an identity: facets of one operand that
 // are coplanar to within rounding share it, and so do facets of different operands within the contact tolerance
 // (DESIGN §4). Every facet lies within `thickness` of its surface's canonical plane.
 #pragma once
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solids/curved_solid.h"
 #include "solids/polyhedron.h"
 
 namespace starcell {
@@ -17,9 +19,14 @@ struct Surface {
   Vec3 normal;             ///< unit length up to rounding; taken as exact
   double offset = 0;       ///< the plane is normal . x = offset
   double thickness = 0;    ///< |normal . x - offset| <= thickness on every facet of the surface
-  bool shared = false;     ///< facets of several operands lie on it: a possible contact
+  bool shared = false;     ///< several operands lie on it: a possible contact
+  SmoothSurfacePtr form;   ///< null: the plane above; thickness holds for those who share it
 
   double distance(const Vec3& p) const { return std::abs(normal.dot(p) - offset); }
+  /// Needs a Rounding object.
+  Expansion expand(const Vec3& center, const Vec3& reach) const;
+  /// Its function and gradient to rounding: proposals, no proof.
+  double value(const Vec3& x, Vec3* gradient = nullptr) const;
 };
 
 /// A place where operands touch although no surface is shared: a vertex of one on a facet of another, or two edges that
@@ -29,6 +36,21 @@ struct Graze {
   Vec3 place;
 };
 
+/// The solid where F < 0 (or, `complement`, where F > 0) of a surface.
+struct Region {
+  std::uint32_t surface = 0;
+  bool complement = false;
+  std::uint32_t body = 0;   ///< the first operand of the solid that it bounds: they move together
+};
+
+/// A region as it comes in: a smooth surface, or the plane that ends a curved solid. `box`: where it matters.
+struct RegionOperand {
+  SmoothSurfacePtr form;
+  EndPlane end;
+  Box3 box;
+  std::uint32_t body = 0;   ///< index of the solid's first region
+};
+
 struct FacetTable {
   std::vector<Vec3> points;
   std::vector<Triangle> corners;
@@ -36,10 +58,15 @@ struct FacetTable {
   std::vector<std::uint32_t> surface;    ///< per facet
   std::vector<std::uint32_t> first;      ///< facets of operand s are first[s] .. first[s+1]
   std::vector<Surface> surfaces;
+  std::vector<Region> regions;           ///< operand k >= polyhedra() is regions[k - polyhedra()]
   std::vector<Graze> grazes;
   double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
 
   std::size_t size() const { return corners.size(); }
+  std::size_t polyhedra() const { return first.size() - 1; }
+  std::size_t operands() const { return polyhedra() + regions.size(); }
+  bool is_region(std::uint32_t operand) const { return operand >= polyhedra(); }
+  const Region& region(std::uint32_t operand) const { return regions[operand - polyhedra()]; }
   std::uint32_t operand_of(std::uint32_t facet) const;
   /// The largest distance of a facet's corners from a plane.
   double distance(const Surface& s, std::uint32_t facet) const;
@@ -52,7 +79,9 @@ struct FacetTable {
 };
 
 /// Gathers the operands' facets and finds their surfaces. Facets of different operands are on one surface when each lies
-/// within `contact` of the other's plane and their boxes come that near. `shifts`: a translation for each operand; empty: none.
-FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts = {});
+/// within `contact` of the other's plane and their boxes come that near; regions when their surfaces are within it
+/// wherever both matter. `shifts`: a translation for each operand; empty: none.
+FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts = {},
+                         const std::vector<RegionOperand>& regions = {});
 
 }  // namespace starcell

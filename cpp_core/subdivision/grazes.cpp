@@ -113,13 +113,13 @@ std::vector<Graze> find_grazes(const FacetTable& table, const std::vector<FacetP
 }
 
 std::vector<Vec3> shifts_off_grazes(const FacetTable& table, const std::vector<Graze>& grazes, double reach, int attempt) {
-  const std::size_t n = table.first.size() - 1;
+  const std::size_t n = table.operands();
   std::vector<Vec3> shifts(n, Vec3::Zero());
   std::vector<char> grazing(n, 0);
   for (const Graze& g : grazes) grazing[std::max(g.of, g.on)] = 1;
   // Surfaces that an operand shares must stay where they are: it may only move along all of them.
   std::vector<std::vector<Vec3>> fixed(n);
-  for (std::size_t s = 0; s < n; ++s)
+  for (std::size_t s = 0; s < table.polyhedra(); ++s)
     for (std::uint32_t f = table.first[s]; grazing[s] && f < table.first[s + 1]; ++f) {
       const Surface& surface = table.surfaces[table.surface[f]];
       if (!surface.shared) continue;
@@ -127,6 +127,15 @@ std::vector<Vec3> shifts_off_grazes(const FacetTable& table, const std::vector<G
       for (const Vec3& u : fixed[s]) rest -= rest.dot(u) * u;
       if (rest.norm() > 1e-6) fixed[s].push_back(rest.normalized());
     }
+  // A shared cylinder or sphere leaves its solid few ways to move, and others that are shared none: it stays.
+  for (const Region& region : table.regions) {
+    const Surface& surface = table.surfaces[region.surface];
+    if (!surface.shared) continue;
+    if (surface.form) grazing[region.body] = 0;
+    Vec3 rest = surface.normal;
+    for (const Vec3& u : fixed[region.body]) rest -= rest.dot(u) * u;
+    if (rest.norm() > 1e-6) fixed[region.body].push_back(rest.normalized());
+  }
   for (std::size_t s = 0; s < n; ++s) {
     if (!grazing[s]) continue;
     // No direction is special to the eye, to axes or diagonals; every operand gets one of its own.

@@ -26,6 +26,13 @@ struct FlatPart {
   std::vector<std::vector<Corner>> cycles;
 };
 
+/// E's logic on the surfaces of a graph: their senses (+1: E's outward normal is the function's gradient), and membership
+/// (bit a of `value`, where `known`) for the sides a that a point is on (bit i: negative side of surface i).
+struct GraphLogic {
+  std::vector<int> senses;
+  std::uint64_t value = 0, known = 0;
+};
+
 /// One disk of E in the cell, and why what replaces it is near it.
 struct Sheet {
   enum class Shape {
@@ -34,16 +41,18 @@ struct Sheet {
     corner,   ///< on planes through one point `apex` of the cell: the fan from it is E
     flats,    ///< exactly these flat parts
     slab,     ///< a graph over the plane across `direction`, between heights low and high
+    graph,    ///< seen along `direction` on its `surfaces`, with room of `high` around it: subdivision/graph_shape.h
     loose,    ///< no more is known than that it lies in the cell
   };
   Shape shape = Shape::loose;
-  std::vector<std::uint32_t> surfaces;   ///< planar, crease, corner: the planes, ascending
+  std::vector<std::uint32_t> surfaces;   ///< planar, crease, corner: the planes, ascending; graph: its surfaces
   Vec3 apex = Vec3::Zero();
   Vec3 direction = Vec3::Zero();
   double low = 0, high = 0;
   std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to it; empty for a cell's only sheet
   std::vector<FlatPart> flats;           ///< shape flats only
   bool level = false;                    ///< crease: all its facets face one side of surfaces[0], so it is a graph over it
+  std::shared_ptr<const GraphLogic> graph;  ///< shape graph only
   bool contact = false;
 };
 

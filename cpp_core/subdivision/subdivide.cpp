@@ -11,6 +11,8 @@ namespace {
 
 // Problems larger than this are worth a task of their own.
 constexpr std::size_t task_facets = 400;
+// And all with regions down to here: nothing says how much is below them.
+constexpr int task_levels = 5;
 
 std::size_t bytes_of(const Leaf& leaf) {
   std::size_t bytes = sizeof(Leaf) + leaf.problem.facets.capacity() * sizeof(std::uint32_t);
@@ -80,7 +82,7 @@ void Subdivision::visit(OctreeNode& node, CellProblem problem, bool must_split) 
   }
   if (!must_split) {
     if (!reporter_.advance(0)) return;
-    if (problem.facets.empty()) {
+    if (problem.empty(restriction_.table())) {
       count(statistics_.empty);
       reporter_.advance(share);
       return;
@@ -106,7 +108,7 @@ void Subdivision::visit(OctreeNode& node, CellProblem problem, bool must_split) 
   }
   node.children = std::make_unique<std::array<OctreeNode, 8>>();
   std::array<CellProblem, 8> children = restriction_.children(problem);
-  const bool parallel = problem.facets.size() > task_facets;
+  const bool parallel = problem.facets.size() > task_facets || (problem.has_regions(restriction_.table()) && problem.cell.level < task_levels);
   problem = CellProblem();
   if (!parallel) {
     for (int i = 0; i < 8; ++i) visit((*node.children)[i], std::move(children[i]), false);

@@ -17,22 +17,25 @@ namespace starcell {
 /// Stands for "on no known plane".
 constexpr std::uint32_t no_surface = UINT32_MAX;
 
-/// A crossing of E with a grid line: one surface meets one line once, so line and surface identify it for every cell.
+/// A crossing of E with a grid line. A plane meets a line once, so line and surface identify it for every cell; of a smooth
+/// surface's crossings each lies in a grid interval of its own.
 struct Crossing {
   std::uint8_t axis = 0;         ///< the line's direction
   std::uint32_t i = 0, j = 0;    ///< the line's grid coordinates on axes axis+1 and axis+2
   std::uint32_t surface = 0;
+  std::uint32_t root = 0;        ///< smooth surfaces: between the grid coordinates root and root + 1; planes: 0
   std::uint32_t low = 0, high = 0;  ///< the crossing is proved to lie between these grid coordinates
   double at = 0;                 ///< where it is, in world coordinates, to rounding
 
   friend bool operator==(const Crossing& x, const Crossing& y) {
-    return x.axis == y.axis && x.i == y.i && x.j == y.j && x.surface == y.surface;
+    return x.axis == y.axis && x.i == y.i && x.j == y.j && x.surface == y.surface && x.root == y.root;
   }
   friend bool operator<(const Crossing& x, const Crossing& y) {
     if (x.axis != y.axis) return x.axis < y.axis;
     if (x.i != y.i) return x.i < y.i;
     if (x.j != y.j) return x.j < y.j;
-    return x.surface < y.surface;
+    if (x.surface != y.surface) return x.surface < y.surface;
+    return x.root < y.root;
   }
 };
 
@@ -73,6 +76,8 @@ struct Arc {
   std::uint32_t facet = 0;               ///< a facet under the first piece
   bool contact = false;                  ///< sheets that touch were pulled apart on this arc (DESIGN §4)
   bool concurrent = false;               ///< rests on planes taken to pass through one point: F-cone
+  double sway = 0;                       ///< E's arc is this far from the polyline at most, point by point (Fréchet)
+  Vec3 along = Vec3::Zero();             ///< the direction in which it sways, of unit length; zero: any
 };
 
 /// Takes an arc that came back to its start on the same piece for the closed curve that it is; false if it is none.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "subdivision/guard.h"
-#include "subdivision/loops.h"
 
 namespace starcell {
 namespace {
@@ -48,20 +47,26 @@ std::optional<Vec3> star_direction(const Restriction& restriction, const CellPro
   return find_direction(restriction.table(), facets, -1, statistics);
 }
 
-std::optional<std::vector<std::vector<Crossing>>> star_loops(const Leaf& leaf, const Vec3& direction) {
-  const auto loops = leaf_loops(leaf);
-  if (!loops) return std::nullopt;
-  std::vector<std::vector<Crossing>> result;
-  for (const Loop& loop : *loops) {
+bool all_outer(const std::vector<const Loop*>& loops, const Vec3& direction) {
+  if (loops.size() <= 1) return true;
+  return std::all_of(loops.begin(), loops.end(), [&](const Loop* loop) {
     bool faces_u = false, faces_away = false;
-    for (const LoopArc& a : loop) {
+    for (const LoopArc& a : *loop) {
       const double towards = direction[a.side / 2] * (a.side % 2 ? 1 : -1);
       faces_u = faces_u || towards > 0;
       faces_away = faces_away || towards < 0;
     }
-    if (loops->size() > 1 && !(faces_u && faces_away)) return std::nullopt;
-    result.push_back(crossings_of(loop));
-  }
+    return faces_u && faces_away;
+  });
+}
+
+std::optional<std::vector<std::vector<Crossing>>> star_loops(const Leaf& leaf, const Vec3& direction) {
+  const auto loops = leaf_loops(leaf);
+  if (!loops) return std::nullopt;
+  std::vector<const Loop*> all;
+  std::vector<std::vector<Crossing>> result;
+  for (const Loop& loop : *loops) all.push_back(&loop), result.push_back(crossings_of(loop));
+  if (!all_outer(all, direction)) return std::nullopt;
   return result;
 }
 

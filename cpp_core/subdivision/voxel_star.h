@@ -9,12 +9,16 @@
 #include <optional>
 
 #include "subdivision/leaf.h"
+#include "subdivision/loops.h"
 #include "subdivision/statistics.h"
 
 namespace starcell {
 
 /// The certified direction; none if a solid bounds E with both of its sides, or no direction is found.
 std::optional<Vec3> star_direction(const Restriction& restriction, const CellProblem& problem, Statistics& statistics);
+
+/// Does every loop bound a disk of its own, seen along the direction? Certified.
+bool all_outer(const std::vector<const Loop*>& loops, const Vec3& direction);
 
 /// The crossings of each loop of the leaf's arcs, if every loop is certified to bound a disk.
 std::optional<std::vector<std::vector<Crossing>>> star_loops(const Leaf& leaf, const Vec3& direction);

@@ -1,0 +1,137 @@
+#include "solids/smooth_surface.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace starcell {
+namespace {
+
+Interval around_zero(double reach) { return {-reach, reach}; }
+
+double magnitude(const Interval& x) { return std::max(-x.lower(), x.upper()); }
+
+// Directions that differ by no more than this are worth measuring; others are not one surface.
+constexpr double nearly_parallel = 1e-3;
+
+// The angle between two axes, and the sense in which they agree.
+double angle(const Vec3& a, const Vec3& b) { return a.cross(b).norm(); }
+
+std::optional<double> round_distance(const RoundShape& f, const RoundShape& g, const Box3& box) {
+  if (f.kind != g.kind) return std::nullopt;
+  const double scale = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double rounding = 1e-13 * (scale + f.point.cwiseAbs().maxCoeff() + std::abs(f.a));
+  const double apart = (f.point - g.point).norm();
+  if (f.kind == RoundShape::Kind::sphere) return apart + std::abs(f.a - g.a) + rounding;
+  const double turn = angle(f.axis, g.axis);
+  if (turn > nearly_parallel) return std::nullopt;
+  // How far the box reaches from the point that both surfaces turn about.
+  double reach = 0;
+  for (int k = 0; k < 8; ++k) reach = std::max(reach, (box.corner(static_cast<Box3::CornerType>(k)) - f.point).norm());
+  switch (f.kind) {
+    case RoundShape::Kind::cylinder:
+      return (g.point - f.point).cross(f.axis).norm() + 2 * turn * (reach + apart) + std::abs(f.a - g.a) + rounding;
+    case RoundShape::Kind::cone:
+      if (f.axis.dot(g.axis) < 0) return std::nullopt;
+      return apart + 2 * turn * reach + std::abs(f.a - g.a) * reach + rounding;
+    case RoundShape::Kind::torus:
+      return apart + 2 * turn * (f.a + f.b) + std::abs(f.a - g.a) + std::abs(f.b - g.b) + rounding;
+    case RoundShape::Kind::sphere: break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Interval Expansion::range() const {
+  const Interval dx = around_zero(reach.x()), dy = around_zero(reach.y()), dz = around_zero(reach.z());
+  const Interval first = value + slope.x * dx + slope.y * dy + slope.z * dz;
+  if (!smooth) return first;
+  const Interval squares = hessian.xx * squared(dx) + hessian.yy * squared(dy) + hessian.zz * squared(dz);
+  const Interval products = hessian.xy * dx * dy + hessian.xz * dx * dz + hessian.yz * dy * dz;
+  const Interval second = value + gradient.x * dx + gradient.y * dy + gradient.z * dz + 0.5 * squares + products;
+  return {std::max(first.lower(), second.lower()), std::min(first.upper(), second.upper())};
+}
+
+Interval Expansion::along(const Vec3& u) const {
+  const Interval plain = dot(slope, u);
+  if (!framed) return plain;
+  const Interval other = dot(framed_slope, frame * enclose(u));
+  return {std::max(plain.lower(), other.lower()), std::min(plain.upper(), other.upper())};
+}
+
+// With barycentric coordinates w and edges e, interpolation exceeds a quadratic function by the sum over edges of
+// w_i w_j e . H e / 2 (Waldron 1998). The sum of all w_i w_j is at most `pairs` (1/3 on a triangle, 1/4 on a segment), each at
+// most 1/4. Where H varies by D about its middle, |D| times the same sum over |e|^2 is added.
+Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const {
+  double longest = 0;
+  for (const Vec3& e : edges) longest = std::max(longest, e.norm() * (1 + 1e-15));
+  // To first order: the slopes towards the corners differ by no more than their spread.
+  const Interval3 spread{Interval(0, (slope.x - slope.x).upper()), Interval(0, (slope.y - slope.y).upper()),
+                         Interval(0, (slope.z - slope.z).upper())};
+  const double first = (norm(spread) * longest).upper();
+  if (!smooth) return {-first, first};
+  const auto middled = [](const Interval& x, double& wide) {
+    const double m = middle(x);
+    wide = std::max(wide, (Interval(x.upper()) - m).upper());
+    wide = std::max(wide, (Interval(m) - x.lower()).upper());
+    return Interval(m);
+  };
+  double wide = 0;
+  const IntervalSymmetric h{middled(hessian.xx, wide), middled(hessian.yy, wide), middled(hessian.zz, wide),
+                            middled(hessian.xy, wide), middled(hessian.xz, wide), middled(hessian.yz, wide)};
+  double most = 0, least = 0, sum_up = 0, sum_down = 0;
+  for (const Vec3& edge : edges) {
+    const Interval e = dot(h * enclose(edge), edge);
+    most = std::max(most, e.upper());
+    least = std::min(least, e.lower());
+    sum_up += std::max(0.0, e.upper());
+    sum_down += std::max(0.0, -e.lower());
+  }
+  const double rest = (Interval(3 * wide) * longest * longest * pairs * 0.5 + 1e-15 * Interval(most - least)).upper();
+  const double up = std::min((Interval(most) * pairs * 0.5).upper(), (Interval(sum_up) * 0.125).upper());
+  const double down = std::min((Interval(-least) * pairs * 0.5).upper(), (Interval(sum_down) * 0.125).upper());
+  return {-(Interval(down) + rest).upper(), (Interval(up) + rest).upper()};
+}
+
+Interval Expansion::excess(const Vec3& p, const Vec3& q, const Vec3& r) const { return excess({q - p, r - q, p - r}, 0.33333333333333337); }
+
+Interval Expansion::excess(const Vec3& p, const Vec3& q) const { return excess({q - p, Vec3::Zero(), Vec3::Zero()}, 0.25); }
+
+Expansion combine(double a, const Expansion& f, double b, const Expansion& g) {
+  const Interval s(a), t(b);
+  Expansion sum;
+  sum.reach = f.reach;
+  sum.value = s * f.value + t * g.value;
+  sum.gradient = s * f.gradient + t * g.gradient;
+  sum.slope = s * f.slope + t * g.slope;
+  sum.smooth = f.smooth && g.smooth;
+  if (sum.smooth) sum.hessian = s * f.hessian + t * g.hessian;
+  return sum;
+}
+
+int SmoothSurface::sign(const Vec3& x) const {
+  const Rounding rounding;
+  return certain_sign(expand(x, Vec3::Zero()).value);
+}
+
+double SmoothSurface::value(const Vec3& x, Vec3* gradient) const {
+  const Rounding rounding;
+  const Expansion e = expand(x, Vec3::Zero());
+  if (gradient) *gradient = e.gradient.middle();
+  return middle(e.value);
+}
+
+std::optional<double> surface_distance(const SmoothSurface& f, const SmoothSurface& g, const Box3& box) {
+  const auto a = f.round_shape(), b = g.round_shape();
+  if (a && b) return round_distance(*a, *b, box);
+  // Where |F - G| <= d and |grad F| >= s along the way to it, the zero of F is within d / s; half of the slope on the surface
+  // is left for the curvature on such a short way.
+  const double slope = 0.5 * std::min(f.least_slope(), g.least_slope());
+  if (!(slope > 0)) return std::nullopt;
+  const Rounding rounding;
+  const Vec3 center = box.center(), reach = 0.5 * box.sizes() * (1 + 1e-12);
+  const Interval difference = combine(1, f.expand(center, reach), -1, g.expand(center, reach)).range();
+  return magnitude(difference) / slope;
+}
+
+}  // namespace starcell

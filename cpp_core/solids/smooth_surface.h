@@ -1,0 +1,75 @@
+// Smooth surfaces F = 0, and their second-order enclosures: all that subdivision and contouring ever ask of a curved solid.
+//
+// Rests on interval arithmetic (T§3.5.1, Moore 1966), taken to second order: near a point c, F(c + d) lies in
+// value + gradient . d + d . hessian d / 2 for every d of the box. Sums of such enclosures enclose sums of functions, which is
+// what tells two surfaces apart that nearly touch. F is scaled so that its gradient is about 1 near the surface.
+// Guarantees: enclosures, for the surface as it was defined; its coefficients are intervals where they had to be rounded.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "numerics/interval_algebra.h"
+
+namespace starcell {
+
+/// An enclosure of F over the box c + [-reach, reach]; reach may be 0 along any axis (a face, an edge, a point).
+struct Expansion {
+  Vec3 reach = Vec3::Zero();
+  Interval value;              ///< F(c)
+  Interval3 gradient;          ///< of F at c
+  IntervalSymmetric hessian;   ///< over the box; of no meaning unless `smooth`
+  Interval3 slope;             ///< the gradient over the box
+  bool smooth = true;          ///< false where F has a kink in the box (the tip of a cone): only `slope` holds
+  /// The slope once more, in a frame where it is narrower than the model's axes show it: slope = transpose(frame) framed_slope.
+  bool framed = false;
+  IntervalMatrix frame;
+  Interval3 framed_slope;
+
+  /// F over the box.
+  Interval range() const;
+  /// The derivative along u over the box.
+  Interval along(const Vec3& u) const;
+  /// Linear interpolation minus F, on the triangle or segment between points of the box.
+  Interval excess(const Vec3& p, const Vec3& q, const Vec3& r) const;
+  Interval excess(const Vec3& p, const Vec3& q) const;
+
+ private:
+  Interval excess(const std::array<Vec3, 3>& edges, double pairs) const;
+};
+
+/// An expansion of a F + b G from those of F and G over the same box.
+Expansion combine(double a, const Expansion& f, double b, const Expansion& g);
+
+/// What identifies a surface of revolution: two of them coincide if these do.
+struct RoundShape {
+  enum class Kind { sphere, cylinder, cone, torus } kind;
+  Vec3 point;          ///< centre; of a cylinder any point of the axis; of a cone its tip
+  Vec3 axis;           ///< of unit length; of a sphere of no meaning; a cone opens against it
+  double a = 0;        ///< radius; of a cone the slope d radius / d height
+  double b = 0;        ///< of a torus the minor radius
+};
+
+class SmoothSurface {
+ public:
+  virtual ~SmoothSurface() = default;
+
+  /// Needs a Rounding object.
+  virtual Expansion expand(const Vec3& center, const Vec3& reach) const = 0;
+  virtual std::shared_ptr<const SmoothSurface> translated(const Vec3& by) const = 0;
+  virtual std::optional<RoundShape> round_shape() const { return std::nullopt; }
+  /// A lower bound of |grad F| on the surface, certified; 0: not known.
+  virtual double least_slope() const { return 0; }
+
+  /// The sign of F at a point, or 0 for "don't know".
+  int sign(const Vec3& x) const;
+  /// F and its gradient to rounding: proposals, no proof.
+  double value(const Vec3& x, Vec3* gradient = nullptr) const;
+};
+
+using SmoothSurfacePtr = std::shared_ptr<const SmoothSurface>;
+
+/// A bound of how far apart the two surfaces are inside the box (each from the other), if they can be one at all.
+std::optional<double> surface_distance(const SmoothSurface& f, const SmoothSurface& g, const Box3& box);
+
+}  // namespace starcell

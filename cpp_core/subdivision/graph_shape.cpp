@@ -1,0 +1,196 @@
+#include "subdivision/graph_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+namespace starcell {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
+
+// The smallest lift at which E's logic says what is wanted, given the lifts from which each patch is certainly passed.
+double least_lift(const std::vector<double>& passed, const std::vector<double>& senses, std::uint64_t value, std::uint64_t known, bool outside) {
+  const std::size_t n = passed.size();
+  std::vector<double> steps = passed;
+  steps.push_back(0);
+  std::sort(steps.begin(), steps.end());
+  for (const double lift : steps) {
+    if (std::isinf(lift)) break;
+    bool holds = true;
+    for (std::size_t a = 0; a < std::size_t{1} << n && holds; ++a) {
+      if (!(known >> a & 1)) continue;
+      bool possible = true;   // may the lifted piece be on these sides?
+      for (std::size_t k = 0; k < n && possible; ++k)
+        if (passed[k] <= lift) possible = ((a >> k & 1) != 0) == ((senses[k] > 0) != outside);
+      holds = !possible || ((value >> a & 1) != 0) != outside;
+    }
+    if (holds) return lift;
+  }
+  return infinity;
+}
+
+class Graph {
+ public:
+  Graph(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const std::vector<double>& senses, std::uint64_t value,
+        std::uint64_t known, const Vec3& u, double room)
+      : senses_(senses), value_(value), known_(known), u_(u), room_(room) {
+    for (const std::uint32_t id : surfaces) surfaces_.push_back(&table.surfaces[id]);
+  }
+
+  // F at a point, turned as E is, per surface.
+  std::vector<Interval> heights(const Vec3& p) const {
+    const Rounding rounding;
+    std::vector<Interval> result;
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) result.push_back(senses_[k] * surfaces_[k]->expand(p, Vec3::Zero()).value);
+    return result;
+  }
+
+  // The deviation of a piece with these corners; infinite beyond the room. Slopes are those around the piece.
+  double deviation(const std::vector<const std::vector<Interval>*>& heights, const std::vector<Vec3>& corners) const {
+    Box3 box;
+    for (const Vec3& p : corners) box.extend(p);
+    box = inflated(box, room_ * u_.cwiseAbs());
+    std::vector<double> up, down;
+    {
+      const Rounding rounding;
+      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+        const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+        const Interval slope(e.along(senses_[k] * u_).lower());
+        if (certain_sign(slope) <= 0) return infinity;
+        const Interval excess = senses_[k] * (corners.size() == 3 ? e.excess(corners[0], corners[1], corners[2]) : e.excess(corners[0], corners[1]));
+        double least = infinity, most = -infinity;
+        for (const auto* height : heights) {
+          least = std::min(least, (*height)[k].lower());
+          most = std::max(most, (*height)[k].upper());
+        }
+        up.push_back(std::max(0.0, ((Interval(excess.upper()) - least) / slope).upper()));
+        down.push_back(std::max(0.0, ((Interval(most) - excess.lower()) / slope).upper()));
+      }
+    }
+    const double lift = std::max(least_lift(up, senses_, value_, known_, true), least_lift(down, senses_, value_, known_, false));
+    return lift <= room_ ? lift : infinity;
+  }
+
+  // How steep E's graph can be within the room around a segment.
+  double steepness(const Vec3& p, const Vec3& q) const {
+    const Box3 box = inflated(Box3(p.cwiseMin(q), p.cwiseMax(q)), Vec3::Constant(room_));
+    const Rounding rounding;
+    double steepest = 0;
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+      const Interval3 normal = Interval(senses_[k]) * e.slope;
+      const Interval along = e.along(senses_[k] * u_);
+      if (certain_sign(along) <= 0) return infinity;
+      steepest = std::max(steepest, (norm(normal - along * enclose(u_)) / Interval(along.lower())).upper());
+    }
+    return steepest;
+  }
+
+ private:
+  std::vector<const Surface*> surfaces_;
+  const std::vector<double> senses_;
+  const std::uint64_t value_, known_;
+  const Vec3 u_;
+  const double room_;
+};
+
+std::vector<double> as_doubles(const std::vector<int>& senses) { return {senses.begin(), senses.end()}; }
+
+}  // namespace
+
+double room_around(double size, double error) { return std::min(0.75 * error, 0.5 * size); }
+
+Vec3 common_place(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis) {
+  Vec3 x = start;
+  for (int step = 0; step < 6; ++step) {
+    Eigen::MatrixXd gradients(surfaces.size(), 3);
+    Eigen::VectorXd values(surfaces.size());
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+      Vec3 g;
+      values[static_cast<Eigen::Index>(k)] = table.surfaces[surfaces[k]].value(x, &g);
+      if (flat_axis >= 0) g[flat_axis] = 0;
+      gradients.row(static_cast<Eigen::Index>(k)) = g;
+    }
+    // The shortest step on which the linearised surfaces all vanish.
+    const Vec3 by = gradients.completeOrthogonalDecomposition().solve(values);
+    if (!by.allFinite()) break;
+    x -= by;
+    if (by.norm() <= 1e-15 * x.norm()) break;
+  }
+  return x;
+}
+
+double segment_deviation(const FacetTable& table, const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p,
+                         const Vec3& q) {
+  std::vector<std::uint32_t> surfaces;
+  for (const std::size_t k : c.patches) surfaces.push_back(patches.surface(k));
+  const Graph graph(table, surfaces, as_doubles(c.sense), c.value, c.known, u, room);
+  const std::vector<Interval> at_p = graph.heights(p), at_q = graph.heights(q);
+  return graph.deviation({&at_p, &at_q}, {p, q});
+}
+
+Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, double room) {
+  Sheet sheet;
+  sheet.shape = Sheet::Shape::graph;
+  sheet.direction = u;
+  sheet.high = room;
+  GraphLogic logic;
+  for (std::size_t i = 0; i < c.patches.size(); ++i) {
+    sheet.surfaces.push_back(patches.surface(c.patches[i]));
+    logic.senses.push_back(c.sense[i]);
+  }
+  logic.value = c.value;
+  logic.known = c.known;
+  sheet.graph = std::make_shared<const GraphLogic>(std::move(logic));
+  return sheet;
+}
+
+GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop, const std::vector<Sway>& sways,
+                   double gap, double margin) {
+  const Vec3& u = sheet.direction;
+  const double room = sheet.high;
+  const Graph graph(table, sheet.surfaces, as_doubles(sheet.graph->senses), sheet.graph->value, sheet.graph->known, u, room);
+  double shadow = 0;
+  for (const Sway& sway : sways) shadow = std::max(shadow, sway.by * (sway.along.isZero(0.0) ? 1.0 : sway.along.cross(u).norm() + 1e-12));
+  shadow += gap;
+  Vec3 centroid = Vec3::Zero();
+  for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
+  std::vector<std::vector<Interval>> rim;
+  for (const Vec3& p : loop) rim.push_back(graph.heights(p));
+
+  std::vector<Vec3> proposals;
+  if (sheet.surfaces.size() <= 3) proposals.push_back(common_place(table, sheet.surfaces, centroid));
+  if (sheet.surfaces.size() > 1)
+    for (const std::uint32_t surface : sheet.surfaces) proposals.push_back(common_place(table, {surface}, centroid));
+  if (sheet.surfaces.size() > 2)
+    for (std::size_t i = 0; i < sheet.surfaces.size(); ++i)
+      for (std::size_t j = i + 1; j < sheet.surfaces.size(); ++j)
+        proposals.push_back(common_place(table, {sheet.surfaces[i], sheet.surfaces[j]}, centroid));
+  const Vec3 m = Vec3::Constant(margin);
+  GraphFan best{centroid, infinity};
+  for (Vec3 apex : proposals) {
+    apex = apex.allFinite() ? Vec3(apex.cwiseMax(cell.min() + m).cwiseMin(cell.max() - m)) : centroid;
+    const std::vector<Interval> at_apex = graph.heights(apex);
+    double deviation = 0;
+    for (std::size_t k = 0; k < loop.size() && deviation < best.bound; ++k) {
+      const std::size_t next = (k + 1) % loop.size();
+      deviation = std::max(deviation, graph.deviation({&at_apex, &rim[k], &rim[next]}, {apex, loop[k], loop[next]}));
+    }
+    if (deviation < best.bound) best = {apex, deviation};
+  }
+  // Where the loops differ, E changes its height by no more than it is steep there.
+  if (shadow > 0) {
+    double steepness = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) steepness = std::max(steepness, graph.steepness(loop[k], loop[(k + 1) % loop.size()]));
+    const double height = best.bound + steepness * shadow;
+    best.bound = height <= room && shadow <= room ? std::hypot(height, shadow) : infinity;
+  }
+  return best;
+}
+
+}  // namespace starcell

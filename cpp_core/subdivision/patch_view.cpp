@@ -1,0 +1,185 @@
+#include "subdivision/patch_view.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "numerics/linear_program.h"
+
+namespace starcell {
+namespace {
+
+constexpr std::size_t max_mixed = 8;
+constexpr std::size_t max_class = 6;
+
+}  // namespace
+
+PatchView::PatchView(const FacetTable& table, const Patches& patches, const Box3& box) : patches_(patches) {
+  const Vec3 center = box.center(), reach = 0.5 * box.sizes();
+  expansions_.reserve(patches.size());
+  const Rounding rounding;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    expansions_.push_back(table.surfaces[patches.surface(k)].expand(center, reach));
+    const int sign = certain_sign(expansions_[k].range());
+    if (sign == 0) mixed_.push_back(k);
+    if (sign < 0) fixed_ |= Sides{1} << k;
+  }
+  for (std::size_t i = 0; i < mixed_.size(); ++i)
+    for (std::size_t j = i + 1; j < mixed_.size(); ++j) compare(mixed_[i], mixed_[j]);
+}
+
+// F_l + c F_k of one sign rules out that both have the opposite one (c > 0), or opposite ones (c < 0); closed, so they have no
+// common zero either. The c that cancels the gradients decides most.
+void PatchView::compare(std::size_t k, std::size_t l) {
+  const Expansion &f = expansions_[k], &g = expansions_[l];
+  const Vec3 gf = f.gradient.middle(), gg = g.gradient.middle();
+  const double square = gf.squaredNorm();
+  if (!(square > 0)) return;
+  const double c = -gf.dot(gg) / square;
+  if (c == 0) return;
+  const int sign = certain_sign(combine(c, f, 1, g).range());
+  if (sign == 0) return;
+  const bool l_negative = sign > 0;
+  const bool k_negative = c > 0 ? l_negative : !l_negative;
+  excluded_[k][l] |= 1u << (2 * k_negative + l_negative);
+  excluded_[l][k] |= 1u << (2 * l_negative + k_negative);
+}
+
+bool PatchView::feasible(Sides sides) const {
+  for (std::size_t i = 0; i < mixed_.size(); ++i)
+    for (std::size_t j = i + 1; j < mixed_.size(); ++j) {
+      const std::size_t k = mixed_[i], l = mixed_[j];
+      if (excluded_[k][l] >> (2 * (sides >> k & 1) + (sides >> l & 1)) & 1) return false;
+    }
+  return true;
+}
+
+// The sign of F_l on F_k = 0 if it is certain, else 0.
+int PatchView::side_on(std::size_t k, std::size_t l) const {
+  const std::uint8_t e = excluded_[k][l];
+  if (e & 0b1010) return 1;    // the negative side of l is excluded with some side of k
+  if (e & 0b0101) return -1;
+  return 0;
+}
+
+template <class Visit>
+void PatchView::for_feasible(Visit visit) const {
+  for (Sides m = 0; m < Sides{1} << mixed_.size(); ++m) {
+    Sides sides = fixed_;
+    for (std::size_t i = 0; i < mixed_.size(); ++i)
+      if (m >> i & 1) sides |= Sides{1} << mixed_[i];
+    if (feasible(sides)) visit(sides);
+  }
+}
+
+bool PatchView::constant() const {
+  if (mixed_.size() > max_mixed) return false;
+  bool any_in = false, any_out = false;
+  for_feasible([&](Sides sides) { (patches_.value(sides) ? any_in : any_out) = true; });
+  return !(any_in && any_out);
+}
+
+std::optional<std::vector<PatchClass>> PatchView::classes() const {
+  if (mixed_.size() > max_mixed) return std::nullopt;
+  std::array<int, max_patches> sense{};
+  bool both = false;
+  for_feasible([&](Sides sides) {
+    const bool value = patches_.value(sides);
+    for (const std::size_t k : mixed_) {
+      const Sides bit = Sides{1} << k;
+      if (!(sides & bit) || !feasible(sides & ~bit)) continue;
+      const bool beyond = patches_.value(sides & ~bit);
+      if (value == beyond) continue;
+      const int s = value ? 1 : -1;
+      both = both || sense[k] == -s;
+      sense[k] = s;
+    }
+  });
+  if (both) return std::nullopt;
+  std::vector<PatchClass> classes;
+  std::array<bool, max_patches> taken{};
+  for (const std::size_t seed : mixed_) {
+    if (sense[seed] == 0 || taken[seed]) continue;
+    PatchClass c;
+    c.patches.push_back(seed);
+    taken[seed] = true;
+    for (std::size_t i = 0; i < c.patches.size(); ++i)
+      for (const std::size_t l : mixed_)
+        if (sense[l] != 0 && !taken[l] && !apart(c.patches[i], l)) c.patches.push_back(l), taken[l] = true;
+    std::sort(c.patches.begin(), c.patches.end());
+    for (const std::size_t k : c.patches) c.sense.push_back(sense[k]);
+    if (c.patches.size() > max_class || !tabulate(c)) return std::nullopt;
+    classes.push_back(std::move(c));
+  }
+  return classes;
+}
+
+// E's value near the class's surfaces, as a function of the class's sides alone.
+bool PatchView::tabulate(PatchClass& c) const {
+  Sides others = 0, other_sides = 0;   // of certain side on all of the class's surfaces
+  for (const std::size_t l : mixed_) {
+    if (std::find(c.patches.begin(), c.patches.end(), l) != c.patches.end()) continue;
+    const int side = side_on(c.patches.front(), l);
+    if (side == 0 || !std::all_of(c.patches.begin(), c.patches.end(), [&](std::size_t k) { return side_on(k, l) == side; })) continue;
+    others |= Sides{1} << l;
+    if (side < 0) other_sides |= Sides{1} << l;
+  }
+  bool consistent = true;
+  for_feasible([&](Sides sides) {
+    if ((sides & others) != other_sides) return;
+    std::size_t a = 0;
+    for (std::size_t i = 0; i < c.patches.size(); ++i)
+      if (sides >> c.patches[i] & 1) a |= std::size_t{1} << i;
+    const bool value = patches_.value(sides);
+    if (c.known >> a & 1) consistent = consistent && (c.value >> a & 1) == value;
+    c.known |= std::uint64_t{1} << a;
+    if (value) c.value |= std::uint64_t{1} << a;
+  });
+  return consistent;
+}
+
+bool PatchView::sees(const PatchClass& c, const Vec3& u) const {
+  const Rounding rounding;
+  for (std::size_t i = 0; i < c.patches.size(); ++i)
+    if (certain_sign(expansions_[c.patches[i]].along(c.sense[i] * u)) <= 0) return false;
+  return true;
+}
+
+std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Statistics& statistics) const {
+  const auto flat = [&](Vec3 v) {
+    if (flat_axis >= 0) v[flat_axis] = 0;
+    return v;
+  };
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 0; i < c.patches.size(); ++i) {
+    const Vec3 g = c.sense[i] * flat(expansions_[c.patches[i]].slope.middle());
+    if (g.norm() > 0) mean += g.normalized();
+  }
+  if (mean.norm() > 0 && sees(c, mean.normalized())) {
+    count(statistics.guard_witness);
+    return mean.normalized();
+  }
+  // The corners of the slopes' boxes stand for all of them; the program's margin is the slack of T§3.5.4.
+  std::vector<Vec3> corners;
+  for (std::size_t i = 0; i < c.patches.size(); ++i) {
+    const Interval3& slope = expansions_[c.patches[i]].slope;
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec3 g;
+      for (int k = 0; k < 3; ++k) g[k] = corner >> k & 1 ? slope[k].upper() : slope[k].lower();
+      if (flat_axis >= 0 && (corner >> flat_axis & 1)) continue;
+      g = c.sense[i] * flat(g);
+      if (g.norm() > 0) corners.push_back(g.normalized());
+    }
+  }
+  if (c.patches.size() > 1)
+    if (auto u = widest_direction(corners)) {
+      *u = flat(*u);
+      if (u->norm() > 0 && sees(c, u->normalized())) {
+        count(statistics.guard_program);
+        return u->normalized();
+      }
+    }
+  count(statistics.guard_failed);
+  return std::nullopt;
+}
+
+}  // namespace starcell

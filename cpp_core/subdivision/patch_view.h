@@ -1,0 +1,59 @@
+// Patches over a box: which can bound E there, in which sense, which cannot meet, and the directions that see them as graphs.
+//
+// Everything is read off second-order enclosures (solids/smooth_surface.h): a patch of one certain sign is a constant; if
+// F + c G is of one sign, two patches have no point in common and one combination of their sides does not occur. What no
+// feasible combination of sides can flip does not bound E: that is how sheets inside other solids disappear (DESIGN §3).
+//
+// A *class* of patches is a set that may meet each other, each bounding E. Patches of different classes have no point in
+// common, so E in the box is the disjoint union of the classes' parts. On a class's surfaces E flips as `value` says. A
+// *direction* u of a class has n . u > 0 for every outward normal of E that it can have: then every line along u meets the
+// class's part of E at most once (T§3.5.2 with the guard at infinity, T§3.5.4 for curved surfaces; DESIGN §3, F-star and
+// V-star). For why other classes may flip in between: along such a line the class's value falls and never rises, whatever the
+// sides of patches that are not of the class, because those are fixed on the class's surfaces, or of no influence.
+#pragma once
+
+#include "subdivision/patches.h"
+#include "subdivision/statistics.h"
+
+namespace starcell {
+
+/// Patches that may meet each other and bound E, and E's part on them.
+struct PatchClass {
+  std::vector<std::size_t> patches;     ///< indices into Patches; at most 6
+  std::vector<int> sense;               ///< +1: E's outward normal is F's gradient, -1: turned
+  std::uint64_t value = 0, known = 0;   ///< bit a: inside for the class's sides a (bit i: negative side of patches[i])
+};
+
+class PatchView {
+ public:
+  PatchView(const FacetTable& table, const Patches& patches, const Box3& box);
+
+  /// Certainly the same membership everywhere?
+  bool constant() const;
+  /// None if some patch bounds E in both senses, or there are too many.
+  std::optional<std::vector<PatchClass>> classes() const;
+  /// A certified direction of unit length; `flat_axis`: without a component along that axis, or -1.
+  std::optional<Vec3> direction(const PatchClass& c, int flat_axis, Statistics& statistics) const;
+  /// Is it one?
+  bool sees(const PatchClass& c, const Vec3& u) const;
+
+  const Expansion& expansion(std::size_t patch) const { return expansions_[patch]; }
+
+ private:
+  /// Does a combination of sides occur, as far as is known?
+  bool feasible(Sides sides) const;
+  void compare(std::size_t k, std::size_t l);
+  int side_on(std::size_t k, std::size_t l) const;
+  bool apart(std::size_t k, std::size_t l) const { return excluded_[k][l] != 0; }
+  template <class Visit>
+  void for_feasible(Visit visit) const;
+  bool tabulate(PatchClass& c) const;
+
+  const Patches& patches_;
+  std::vector<Expansion> expansions_;
+  std::vector<std::size_t> mixed_;                                             // patches of no certain sign
+  Sides fixed_ = 0;                                                            // negative sides of the others
+  std::array<std::array<std::uint8_t, max_patches>, max_patches> excluded_{};  // bit 2 [k negative] + [l negative]
+};
+
+}  // namespace starcell

@@ -1,0 +1,92 @@
+#include "subdivision/patches.h"
+
+#include <algorithm>
+
+namespace starcell {
+
+std::size_t Patches::index_of(std::uint32_t surface) const {
+  const auto it = std::find(surfaces_.begin(), surfaces_.end(), surface);
+  return it == surfaces_.end() ? max_patches : static_cast<std::size_t>(it - surfaces_.begin());
+}
+
+std::size_t Patches::add(std::uint32_t surface) {
+  const std::size_t known = index_of(surface);
+  if (known < max_patches) return known;
+  surfaces_.push_back(surface);
+  return surfaces_.size() - 1;
+}
+
+bool Patches::value(Sides sides) const {
+  Membership membership = 0;
+  for (std::size_t slot = 0; slot < forms_.size(); ++slot) {
+    const Form& form = forms_[slot];
+    bool inside = !form.any;
+    for (const auto& [patch, positive] : form.patches) {
+      const bool on_side = ((sides >> patch & 1) != 0) != positive;
+      inside = form.any ? inside || on_side : inside && on_side;
+    }
+    if (inside) membership |= Membership{1} << slot;
+  }
+  return expression_->value(membership);
+}
+
+// With all facets behind (before) all planes, the polyhedron's boundary in the cell lies on that of the intersection (union)
+// of half-spaces K. Each side of K in the cell is convex, so facets, which have no rim there, cover it whole.
+bool Patches::add_polyhedron(const FacetTable& table, const std::uint32_t* first, const std::uint32_t* last) {
+  Form form;
+  std::vector<std::pair<std::uint32_t, int>> planes;   // (surface, sense of the facets' outward normals)
+  for (const std::uint32_t* f = first; f != last; ++f) {
+    const std::uint32_t surface = table.surface[*f];
+    const double along = table.area_vector(*f).dot(table.surfaces[surface].normal);
+    const int sense = along > 0 ? 1 : along < 0 ? -1 : 0;
+    if (sense == 0) return false;
+    const auto known = std::find_if(planes.begin(), planes.end(), [&](const auto& p) { return p.first == surface; });
+    if (known == planes.end()) {
+      planes.emplace_back(surface, sense);
+      if (planes.size() > max_patches) return false;
+    } else if (known->second != sense) {
+      return false;
+    }
+  }
+  if (planes.size() > 1) {
+    bool behind = true, before = true;
+    for (const auto& [surface, sense] : planes) {
+      const Surface& s = table.surfaces[surface];
+      for (const std::uint32_t* f = first; f != last; ++f) {
+        if (table.surface[*f] == surface) continue;
+        for (int k = 0; k < 3; ++k) {
+          const double height = sense * (s.normal.dot(table.corner(*f, k)) - s.offset);
+          behind = behind && height <= s.thickness;
+          before = before && height >= -s.thickness;
+        }
+      }
+    }
+    if (!behind && !before) return false;
+    form.any = !behind;
+  }
+  for (const auto& [surface, sense] : planes) form.patches.emplace_back(add(surface), sense < 0);
+  forms_.push_back(std::move(form));
+  return surfaces_.size() <= max_patches;
+}
+
+std::optional<Patches> Patches::of(const Restriction& restriction, const CellProblem& problem) {
+  const FacetTable& table = restriction.table();
+  Patches patches;
+  patches.expression_ = &problem.expression;
+  if (problem.slots() > max_slots) return std::nullopt;
+  const std::uint32_t *at = problem.facets.data(), *end = at + problem.facets.size();
+  for (const std::uint32_t operand : problem.expression.solids()) {
+    if (table.is_region(operand)) {
+      const Region& region = table.region(operand);
+      patches.forms_.push_back({false, {{patches.add(region.surface), region.complement}}});
+      if (patches.size() > max_patches) return std::nullopt;
+      continue;
+    }
+    const std::uint32_t* last = std::lower_bound(at, end, table.first[operand + 1]);
+    if (!patches.add_polyhedron(table, at, last)) return std::nullopt;
+    at = last;
+  }
+  return patches;
+}
+
+}  // namespace starcell

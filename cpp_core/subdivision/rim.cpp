@@ -1,0 +1,240 @@
+#include "subdivision/rim.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "subdivision/grid_line.h"
+
+namespace starcell {
+namespace {
+
+bool value_of(const LocalExpression& expression, const std::vector<char>& inside) {
+  if (inside.size() <= max_slots) {
+    Membership mask = 0;
+    for (std::size_t slot = 0; slot < inside.size(); ++slot)
+      if (inside[slot]) mask |= Membership{1} << slot;
+    return expression.value(mask);
+  }
+  std::vector<State> states;
+  for (const char s : inside) states.push_back(s ? State::inside : State::outside);
+  return *expression.simplified(states).constant();
+}
+
+// A stretch of a grid line, in grid coordinates.
+struct Stretch {
+  int axis;
+  GridPoint from;
+  std::uint32_t size;
+
+  GridPoint at(std::uint32_t offset) const {
+    GridPoint p = from;
+    p[axis] += offset;
+    return p;
+  }
+};
+
+struct Event {
+  Crossing crossing;
+  double low, high;
+  std::vector<std::size_t> slots;   // those that flip
+};
+
+class Side {
+ public:
+  Side(const Restriction& restriction, const CellProblem& problem, const Stretch& stretch)
+      : restriction_(restriction), table_(restriction.table()), grid_(restriction.grid()), problem_(problem), stretch_(stretch) {}
+
+  // Events in ascending order; `sure` says that it is their order, and that none is missing.
+  std::vector<Event> events(bool& sure) {
+    facet_events();
+    for (std::size_t slot = 0; slot < problem_.slots(); ++slot) {
+      const std::uint32_t operand = problem_.expression.solids()[slot];
+      if (table_.is_region(operand)) region_events(table_.region(operand).surface, slot);
+    }
+    std::sort(events_.begin(), events_.end(), [](const Event& x, const Event& y) {
+      return x.crossing.at != y.crossing.at ? x.crossing.at < y.crossing.at : x.crossing < y.crossing;
+    });
+    for (std::size_t k = 1; k < events_.size(); ++k) sure_ = sure_ && events_[k - 1].high < events_[k].low;
+    sure = sure && sure_;
+    return std::move(events_);
+  }
+
+ private:
+  Crossing crossing(std::uint32_t surface, double at, std::uint32_t root = 0) const {
+    Crossing x;
+    x.axis = static_cast<std::uint8_t>(stretch_.axis);
+    x.i = stretch_.from[(stretch_.axis + 1) % 3];
+    x.j = stretch_.from[(stretch_.axis + 2) % 3];
+    x.surface = surface;
+    x.root = root;
+    x.low = stretch_.from[stretch_.axis];
+    x.high = x.low + stretch_.size;
+    x.at = std::clamp(at, grid_.coordinate(stretch_.axis, x.low), grid_.coordinate(stretch_.axis, x.high));
+    return x;
+  }
+
+  Event& event_on(std::uint32_t surface) {
+    for (Event& e : events_)
+      if (e.crossing.surface == surface && e.crossing.root == 0) return e;
+    return events_.emplace_back(plane_event(surface));
+  }
+
+  Event plane_event(std::uint32_t surface) const {
+    const Surface& s = table_.surfaces[surface];
+    const Vec3 p = grid_.point(stretch_.from);
+    const int a = stretch_.axis, b = (a + 1) % 3, c = (a + 2) % 3;
+    const Rounding rounding;
+    const Interval at = (Interval(s.offset) - Interval(s.normal[b]) * p[b] - Interval(s.normal[c]) * p[c]) / Interval(s.normal[a]);
+    return {crossing(surface, middle(at)), at.lower(), at.upper(), {}};
+  }
+
+  void facet_events() {
+    const int axis = stretch_.axis;
+    const Vec3 p = grid_.point(stretch_.from);
+    const double to = grid_.coordinate(axis, stretch_.from[axis] + stretch_.size);
+    for (const std::uint32_t f : problem_.facets)
+      if (segment_crosses(table_, f, axis, p, to)) toggle(event_on(table_.surface[f]), restriction_.slot_of(problem_, f));
+  }
+
+  static void toggle(Event& e, std::size_t slot) {
+    const auto known = std::find(e.slots.begin(), e.slots.end(), slot);
+    if (known == e.slots.end())
+      e.slots.push_back(slot);
+    else
+      e.slots.erase(known);
+  }
+
+  void region_events(std::uint32_t surface, std::size_t slot) {
+    const Surface& s = table_.surfaces[surface];
+    if (!s.form) {
+      if (sign(s, 0) != sign(s, stretch_.size)) toggle(event_on(surface), slot);
+      return;
+    }
+    bool known = false;   // through another slot on the same surface
+    for (Event& e : events_)
+      if (e.crossing.surface == surface) e.slots.push_back(slot), known = true;
+    if (!known) isolate(surface, slot, 0, stretch_.size);
+  }
+
+  // The function's sign at an offset along the stretch; what is not certain grazes.
+  int sign(const Surface& s, std::uint32_t offset) {
+    const Rounding rounding;
+    const Interval value = s.expand(grid_.point(stretch_.at(offset)), Vec3::Zero()).value;
+    const int certain = certain_sign(value);
+    if (certain == 0) sure_ = false;
+    return certain != 0 ? certain : middle(value) < 0 ? -1 : 1;
+  }
+
+  void isolate(std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size) {
+    const Surface& s = table_.surfaces[surface];
+    const Vec3 a = grid_.point(stretch_.at(from)), b = grid_.point(stretch_.at(from + size));
+    bool none, monotone;
+    Interval slope;
+    {
+      const Rounding rounding;
+      const Expansion e = s.expand(0.5 * (a + b), 0.5 * (b - a));
+      none = certain_sign(e.range()) != 0;
+      slope = e.along(Vec3::Unit(stretch_.axis));
+      monotone = certain_sign(slope) != 0;
+    }
+    if (none) return;
+    if (monotone || size == 1) {
+      if (!monotone) sure_ = false;
+      if (sign(s, from) != sign(s, from + size)) enclose_root(s, surface, slot, from, size, slope);
+      return;
+    }
+    isolate(surface, slot, from, size / 2);
+    isolate(surface, slot, from + size / 2, size / 2);
+  }
+
+  // Newton's method proposes, signs at grid coordinates decide in which interval of the grid the root is.
+  void enclose_root(const Surface& s, std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size, const Interval& slope) {
+    const int axis = stretch_.axis;
+    const double begin = grid_.coordinate(axis, stretch_.from[axis] + from), length = grid_.length(size);
+    Vec3 p = grid_.point(stretch_.from);
+    p[axis] = begin + 0.5 * length;
+    for (int step = 0; step < 6; ++step) {
+      Vec3 gradient;
+      const double value = s.value(p, &gradient);
+      if (gradient[axis] == 0) break;
+      const double next = std::clamp(p[axis] - value / gradient[axis], begin, begin + length);
+      const bool still = std::abs(next - p[axis]) <= 1e-15 * std::abs(next);
+      p[axis] = next;
+      if (still) break;
+    }
+    const int start = sign(s, from);
+    std::uint32_t low = 0, high = size;   // different signs at from + low, from + high
+    const auto guess = static_cast<std::uint32_t>(std::clamp(std::floor((p[axis] - begin) / grid_.unit), 0.0, static_cast<double>(size - 1)));
+    for (const std::uint32_t probe : {guess, guess + 1}) {
+      if (probe <= low || probe >= high) continue;
+      (sign(s, from + probe) == start ? low : high) = probe;
+    }
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (sign(s, from + middle) == start ? low : high) = middle;
+    }
+    const std::uint32_t root = stretch_.from[axis] + from + low;
+    double at_low = grid_.coordinate(axis, root), at_high = grid_.coordinate(axis, root + 1);
+    if (certain_sign(slope) != 0) {   // one step of interval Newton
+      p[axis] = std::clamp(p[axis], at_low, at_high);
+      const Rounding rounding;
+      const Interval newton = Interval(p[axis]) - s.expand(p, Vec3::Zero()).value / slope;
+      at_low = std::max(at_low, newton.lower());
+      at_high = std::min(at_high, newton.upper());
+    }
+    events_.push_back({crossing(surface, 0.5 * (at_low + at_high), root), at_low, at_high, {slot}});
+  }
+
+  const Restriction& restriction_;
+  const FacetTable& table_;
+  const Grid& grid_;
+  const CellProblem& problem_;
+  const Stretch stretch_;
+  std::vector<Event> events_;
+  bool sure_ = true;
+};
+
+}  // namespace
+
+Vec3 Flip::place(const Grid& grid) const {
+  Vec3 p;
+  p[crossing.axis] = crossing.at;
+  p[(crossing.axis + 1) % 3] = grid.coordinate((crossing.axis + 1) % 3, crossing.i);
+  p[(crossing.axis + 2) % 3] = grid.coordinate((crossing.axis + 2) % 3, crossing.j);
+  return p;
+}
+
+std::optional<std::vector<Flip>> rim_flips(const Restriction& restriction, const CellProblem& problem, const Face& face, bool certain) {
+  std::vector<Flip> around;
+  // Counter-clockwise: bottom and right upwards, top and left downwards.
+  for (const int side : {2, 1, 3, 0}) {
+    const GridPoint low = side < 2 ? face.corner(side, 0) : face.corner(0, side - 2);
+    const int axis = side < 2 ? face.c_axis() : face.b_axis();
+    bool sure = true;
+    const std::vector<Event> events = Side(restriction, problem, {axis, low, face.size}).events(sure);
+    if (certain && !sure) return std::nullopt;
+    std::vector<char> inside = restriction.membership_at(problem, low);
+    bool value = value_of(problem.expression, inside);
+    std::vector<Flip> flips;
+    for (const Event& e : events) {
+      for (const std::size_t slot : e.slots) inside[slot] ^= 1;
+      const bool next = value_of(problem.expression, inside);
+      if (next != value) flips.push_back({e.crossing, e.low, e.high, next, side});
+      value = next;
+    }
+    if (certain) {
+      // What was toggled along the side has to be what the far corner says.
+      GridPoint high = low;
+      high[axis] += face.size;
+      if (inside != restriction.membership_at(problem, high)) return std::nullopt;
+    }
+    if (side == 3 || side == 0) {
+      std::reverse(flips.begin(), flips.end());
+      for (Flip& f : flips) f.enters = !f.enters;
+    }
+    around.insert(around.end(), flips.begin(), flips.end());
+  }
+  return around;
+}
+
+}  // namespace starcell
