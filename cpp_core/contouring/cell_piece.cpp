@@ -114,10 +114,10 @@ class PieceMaker {
         rim.push_back(id);
         mesh_.vertices.push_back(points_.vertices()[id]);
         result.surfaces.push_back(arc.surfaces[a.reversed ? n - 1 - k : k]);
+        result.sways.push_back({a.arc->sway, a.arc->along});
         result.names.push_back(name_of(a, n, a.reversed ? n - k : k));
       }
       result.gap = std::max(result.gap, arc.gap);
-      if (a.arc->sway > 0) result.sways.push_back({a.arc->sway, a.arc->along});
       if (!a.arc->closed && n > 0)
         result.shift += points_.move_of(a.reversed ? arc.vertices.back() : arc.vertices.front()) / static_cast<double>(loop.size());
     }

@@ -17,7 +17,7 @@ struct DrawnLoop {
   std::vector<CornerName> names;         ///< names[k]: what vertex k is to V-planes; zeros: a point that it does not know
   Vec3 shift = Vec3::Zero();             ///< how its crossings were moved, on average: to keep sheets apart
   double gap = 0;                        ///< Fréchet distance to E's loop, but for its sway
-  std::vector<Sway> sways;               ///< of the arcs
+  std::vector<Sway> sways;               ///< per segment
 };
 
 struct Fan {

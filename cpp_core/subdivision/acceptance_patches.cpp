@@ -43,7 +43,7 @@ bool Acceptance::near_enough(const Sheet& sheet, const Loop& loop, const Box3& b
       std::reverse(points.begin(), points.end());
     }
     polygon.insert(polygon.end(), points.begin(), points.end());
-    sways.push_back({a.arc->sway, a.arc->along});
+    sways.resize(polygon.size(), {a.arc->sway, a.arc->along});
   }
   const double margin = std::min(2 * restriction_.grid().step, box.sizes().x() / 16);
   const GraphFan fan = graph_fan(restriction_.table(), box, sheet, polygon, sways, 0, margin);

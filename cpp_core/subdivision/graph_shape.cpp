@@ -10,6 +10,9 @@ namespace starcell {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+// Slopes are looked at in parts where they vary much: of a segment beside which E's loop runs, of a piece (halved this often).
+constexpr int pieces = 4;
+constexpr int most_parts = 2;
 
 Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
 
@@ -50,18 +53,16 @@ class Graph {
     return result;
   }
 
-  // The deviation of a piece with these corners; infinite beyond the room. Slopes are those around the piece.
+  // The deviation of a piece with these corners; infinite beyond the room. Slopes are those that the lift sweeps.
   double deviation(const std::vector<const std::vector<Interval>*>& heights, const std::vector<Vec3>& corners) const {
-    Box3 box;
-    for (const Vec3& p : corners) box.extend(p);
-    box = inflated(box, room_ * u_.cwiseAbs());
+    const Box3 box = box_around(corners);
     std::vector<double> up, down;
     {
       const Rounding rounding;
       for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-        const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
-        const Interval slope(e.along(senses_[k] * u_).lower());
+        const Interval slope(least_slope(k, corners, 0));
         if (certain_sign(slope) <= 0) return infinity;
+        const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
         const Interval excess = senses_[k] * (corners.size() == 3 ? e.excess(corners[0], corners[1], corners[2]) : e.excess(corners[0], corners[1]));
         double least = infinity, most = -infinity;
         for (const auto* height : heights) {
@@ -76,9 +77,50 @@ class Graph {
     return lift <= room_ ? lift : infinity;
   }
 
-  // How steep E's graph can be within the room around a segment.
-  double steepness(const Vec3& p, const Vec3& q) const {
-    const Box3 box = inflated(Box3(p.cwiseMin(q), p.cwiseMax(q)), Vec3::Constant(room_));
+  // How far E's points may be that lie over the gap between a segment and E's loop beside it. Along the way between the two the
+  // height differs from the segment's by `apart` where it starts, over the segment, and by the sway's own height where it ends,
+  // on the loop; in between by as much as E is steep.
+  double beside(const Vec3& p, const Vec3& q, double apart, const Sway& sway, double gap) const {
+    const bool any = sway.along.isZero(0.0);
+    const double aside = gap + sway.by * (any ? 1.0 : sway.along.cross(u_).norm() + 1e-12);
+    const double at_end = gap + sway.by * (any ? 1.0 : std::abs(sway.along.dot(u_)) + 1e-12);
+    double farthest = 0;
+    for (int piece = 0; piece < pieces; ++piece) {
+      const Vec3 from = p + (q - p) * (static_cast<double>(piece) / pieces), to = p + (q - p) * (static_cast<double>(piece + 1) / pieces);
+      double height = infinity;
+      for (double reach = std::max(apart, at_end); reach <= 2 * room_ && std::isinf(height); reach *= 1.4) {
+        const double steep = steepness(inflated(box_around({from, to}), Vec3::Constant(aside) + reach * u_.cwiseAbs()));
+        const double most = std::max({apart, at_end, 0.5 * (apart + at_end + steep * aside)});
+        if (most <= reach) height = most;
+      }
+      farthest = std::max(farthest, std::hypot(height, aside));
+    }
+    return farthest;
+  }
+
+ private:
+  static Box3 box_around(const std::vector<Vec3>& points) {
+    Box3 box;
+    for (const Vec3& p : points) box.extend(p);
+    return box;
+  }
+
+  // Along u, where a piece is lifted to; large pieces in parts. Needs a Rounding object.
+  double least_slope(std::size_t k, const std::vector<Vec3>& corners, int depth) const {
+    const Box3 box = inflated(box_around(corners), room_ * u_.cwiseAbs());
+    const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+    const Interval slope = e.along(senses_[k] * u_);
+    if (depth >= most_parts || slope.upper() <= 0 || slope.lower() > 0.7 * slope.upper()) return slope.lower();
+    double least = infinity;
+    const std::size_t n = corners.size();
+    std::vector<Vec3> middles;
+    for (std::size_t i = 0; i < (n == 3 ? 3 : 1); ++i) middles.push_back(0.5 * (corners[i] + corners[(i + 1) % n]));
+    if (n == 2) return std::min(least_slope(k, {corners[0], middles[0]}, depth + 1), least_slope(k, {middles[0], corners[1]}, depth + 1));
+    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, least_slope(k, {corners[i], middles[i], middles[(i + 2) % 3]}, depth + 1));
+    return std::min(least, least_slope(k, middles, depth + 1));
+  }
+
+  double steepness(const Box3& box) const {
     const Rounding rounding;
     double steepest = 0;
     for (std::size_t k = 0; k < surfaces_.size(); ++k) {
@@ -91,7 +133,6 @@ class Graph {
     return steepest;
   }
 
- private:
   std::vector<const Surface*> surfaces_;
   const std::vector<double> senses_;
   const std::uint64_t value_, known_;
@@ -155,9 +196,6 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
   const Vec3& u = sheet.direction;
   const double room = sheet.high;
   const Graph graph(table, sheet.surfaces, as_doubles(sheet.graph->senses), sheet.graph->value, sheet.graph->known, u, room);
-  double shadow = 0;
-  for (const Sway& sway : sways) shadow = std::max(shadow, sway.by * (sway.along.isZero(0.0) ? 1.0 : sway.along.cross(u).norm() + 1e-12));
-  shadow += gap;
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
   std::vector<std::vector<Interval>> rim;
@@ -183,13 +221,10 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
     }
     if (deviation < best.bound) best = {apex, deviation};
   }
-  // Where the loops differ, E changes its height by no more than it is steep there.
-  if (shadow > 0) {
-    double steepness = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k) steepness = std::max(steepness, graph.steepness(loop[k], loop[(k + 1) % loop.size()]));
-    const double height = best.bound + steepness * shadow;
-    best.bound = height <= room && shadow <= room ? std::hypot(height, shadow) : infinity;
-  }
+  double farthest = best.bound;
+  for (std::size_t k = 0; k < loop.size() && std::isfinite(farthest); ++k)
+    if (sways[k].by + gap > 0) farthest = std::max(farthest, graph.beside(loop[k], loop[(k + 1) % loop.size()], best.bound, sways[k], gap));
+  best.bound = farthest;
   return best;
 }
 

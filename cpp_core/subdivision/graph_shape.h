@@ -24,7 +24,7 @@ namespace starcell {
 double segment_deviation(const FacetTable& table, const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p,
                          const Vec3& q);
 
-/// How E's loop lies about A's polygon: an arc is within `by` of its polyline, along a direction (zero: any).
+/// How E's loop lies about a segment of A's polygon: within `by`, along a direction (zero: any).
 struct Sway {
   double by = 0;
   Vec3 along = Vec3::Zero();
@@ -35,7 +35,7 @@ struct GraphFan {
   double bound = 0;
 };
 
-/// The best of a few fans over the loop, for a sheet of shape `graph`. `gap`: how far the polygon was moved besides.
+/// The best of a few fans over the loop, for a sheet of shape `graph`. `sways`: per segment; `gap`: how far the polygon was moved besides.
 GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop,
                    const std::vector<Sway>& sways, double gap, double margin);
 

@@ -10,10 +10,12 @@ namespace {
 
 constexpr std::size_t max_mixed = 8;
 constexpr std::size_t max_class = 6;
+// How often a box is halved to find out what of it a surface reaches.
+constexpr int max_halvings = 2;
 
 }  // namespace
 
-PatchView::PatchView(const FacetTable& table, const Patches& patches, const Box3& box) : patches_(patches) {
+PatchView::PatchView(const FacetTable& table, const Patches& patches, const Box3& box) : table_(table), patches_(patches), box_(box) {
   const Vec3 center = box.center(), reach = 0.5 * box.sizes();
   expansions_.reserve(patches.size());
   const Rounding rounding;
@@ -139,8 +141,29 @@ bool PatchView::tabulate(PatchClass& c) const {
 
 bool PatchView::sees(const PatchClass& c, const Vec3& u) const {
   const Rounding rounding;
-  for (std::size_t i = 0; i < c.patches.size(); ++i)
-    if (certain_sign(expansions_[c.patches[i]].along(c.sense[i] * u)) <= 0) return false;
+  for (std::size_t i = 0; i < c.patches.size(); ++i) {
+    const Vec3 n = c.sense[i] * u;
+    if (certain_sign(expansions_[c.patches[i]].along(n)) <= 0 && !faces(c.patches[i], n, box_, 0)) return false;
+  }
+  return true;
+}
+
+// Only the slopes on the surface matter: a line along n that leaves the negative side wherever it crosses, crosses once. Parts
+// of the box that the surface does not reach are left out.
+bool PatchView::faces(std::size_t patch, const Vec3& n, const Box3& box, int depth) const {
+  const Surface& surface = table_.surfaces[patches_.surface(patch)];
+  const Vec3 low = box.min(), middle = box.center(), half = 0.5 * box.sizes();
+  for (int part = 0; part < 8; ++part) {
+    Vec3 corner = low;
+    bool flat = false;   // a face has no upper half along its axis
+    for (int k = 0; k < 3; ++k)
+      if (part >> k & 1) corner[k] = middle[k], flat = flat || half[k] == 0;
+    if (flat) continue;
+    const Box3 piece(corner, corner + half);
+    const Expansion e = surface.expand(piece.center(), 0.5 * half);
+    if (certain_sign(e.range()) != 0 || certain_sign(e.along(n)) > 0) continue;
+    if (e.along(n).upper() <= 0 || depth + 1 >= max_halvings || !faces(patch, n, piece, depth + 1)) return false;
+  }
   return true;
 }
 
@@ -149,15 +172,28 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
     if (flat_axis >= 0) v[flat_axis] = 0;
     return v;
   };
-  Vec3 mean = Vec3::Zero();
+  // The normals where the surfaces are nearest to the middle of the box; at a kink the middle of all slopes.
+  Vec3 mean = Vec3::Zero(), middle = Vec3::Zero();
+  const auto add = [](Vec3& sum, const Vec3& g) {
+    if (g.norm() > 0) sum += g.normalized();
+  };
   for (std::size_t i = 0; i < c.patches.size(); ++i) {
-    const Vec3 g = c.sense[i] * flat(expansions_[c.patches[i]].slope.middle());
-    if (g.norm() > 0) mean += g.normalized();
+    const Surface& surface = table_.surfaces[patches_.surface(c.patches[i])];
+    Vec3 g, at = box_.center();
+    const double value = surface.value(at, &g);
+    if (surface.form && g.squaredNorm() > 0) {
+      at -= value / g.squaredNorm() * g;
+      at = at.cwiseMax(box_.min()).cwiseMin(box_.max());
+      surface.value(at, &g);
+    }
+    add(mean, c.sense[i] * flat(g));
+    add(middle, c.sense[i] * flat(expansions_[c.patches[i]].slope.middle()));
   }
-  if (mean.norm() > 0 && sees(c, mean.normalized())) {
-    count(statistics.guard_witness);
-    return mean.normalized();
-  }
+  for (const Vec3& u : {mean, middle})
+    if (u.norm() > 0 && sees(c, u.normalized())) {
+      count(statistics.guard_witness);
+      return u.normalized();
+    }
   // The corners of the slopes' boxes stand for all of them; the program's margin is the slack of T§3.5.4.
   std::vector<Vec3> corners;
   for (std::size_t i = 0; i < c.patches.size(); ++i) {

@@ -49,7 +49,11 @@ class PatchView {
   void for_feasible(Visit visit) const;
   bool tabulate(PatchClass& c) const;
 
+  bool faces(std::size_t patch, const Vec3& n, const Box3& box, int depth) const;
+
+  const FacetTable& table_;
   const Patches& patches_;
+  const Box3 box_;
   std::vector<Expansion> expansions_;
   std::vector<std::size_t> mixed_;                                             // patches of no certain sign
   Sides fixed_ = 0;                                                            // negative sides of the others
