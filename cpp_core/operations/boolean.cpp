@@ -106,8 +106,10 @@ class Evaluation {
   // much, is tried again with the operands moved off each other: any position is as good within the contact tolerance, and a
   // generic one comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
   Try settle(const std::vector<Graze>& grazes) {
-    Try best{best_run({}, grazes.empty() ? Engine::Effort::usual : Engine::Effort::a_look), {}, grazes};
-    const bool cut_short = best.run.exhausted && !grazes.empty();
+    // Curved surfaces may touch without any vertex or edge that shows it.
+    const bool look = !grazes.empty() || !operands_.regions.empty();
+    Try best{best_run({}, look ? Engine::Effort::a_look : Engine::Effort::usual), {}, grazes};
+    const bool cut_short = look && !best.run.unresolved.empty();
     for (int retry = 0; retry < most_retries && is_open(best); ++retry) {
       if (retry > 0 && best.run.unresolved.size() > hopeless) break;
       std::vector<Graze> all = best.grazes;

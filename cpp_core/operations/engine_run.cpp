@@ -112,7 +112,9 @@ SubdivisionLimits Engine::limits(const Grid& grid, Effort effort) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   limits.max_seconds = options_.budget.max_seconds - elapsed.count();
   if (effort == Effort::a_look) limits.max_deep = deep_for_a_look;
-  limits.deep_size = static_cast<std::uint32_t>(std::min(256 * grid.step / grid.unit, 1e9));
+  // Where curved surfaces touch along a line, cells below the contact tolerance tell nothing more.
+  const double deep = operands_.regions.empty() || effort == Effort::usual ? 0 : tolerances_.contact;
+  limits.deep_size = static_cast<std::uint32_t>(std::min(std::max(256 * grid.step, deep) / grid.unit, 1e9));
   return limits;
 }
 

@@ -17,7 +17,7 @@ constexpr int most_parts = 2;
 Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
 
 // The smallest lift at which E's logic says what is wanted, given the lifts from which each patch is certainly passed.
-double least_lift(const std::vector<double>& passed, const std::vector<double>& senses, std::uint64_t value, std::uint64_t known, bool outside) {
+double least_lift(const std::vector<double>& passed, const std::vector<double>& senses, std::uint64_t value, bool outside) {
   const std::size_t n = passed.size();
   std::vector<double> steps = passed;
   steps.push_back(0);
@@ -26,7 +26,6 @@ double least_lift(const std::vector<double>& passed, const std::vector<double>& 
     if (std::isinf(lift)) break;
     bool holds = true;
     for (std::size_t a = 0; a < std::size_t{1} << n && holds; ++a) {
-      if (!(known >> a & 1)) continue;
       bool possible = true;   // may the lifted piece be on these sides?
       for (std::size_t k = 0; k < n && possible; ++k)
         if (passed[k] <= lift) possible = ((a >> k & 1) != 0) == ((senses[k] > 0) != outside);
@@ -39,9 +38,9 @@ double least_lift(const std::vector<double>& passed, const std::vector<double>& 
 
 class Graph {
  public:
-  Graph(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const std::vector<double>& senses, std::uint64_t value,
-        std::uint64_t known, const Vec3& u, double room)
-      : senses_(senses), value_(value), known_(known), u_(u), room_(room) {
+  Graph(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const std::vector<double>& senses, std::uint64_t value, const Vec3& u,
+        double room)
+      : senses_(senses), value_(value), u_(u), room_(room) {
     for (const std::uint32_t id : surfaces) surfaces_.push_back(&table.surfaces[id]);
   }
 
@@ -73,7 +72,7 @@ class Graph {
         down.push_back(std::max(0.0, ((Interval(most) - excess.lower()) / slope).upper()));
       }
     }
-    const double lift = std::max(least_lift(up, senses_, value_, known_, true), least_lift(down, senses_, value_, known_, false));
+    const double lift = std::max(least_lift(up, senses_, value_, true), least_lift(down, senses_, value_, false));
     return lift <= room_ ? lift : infinity;
   }
 
@@ -135,7 +134,7 @@ class Graph {
 
   std::vector<const Surface*> surfaces_;
   const std::vector<double> senses_;
-  const std::uint64_t value_, known_;
+  const std::uint64_t value_;
   const Vec3 u_;
   const double room_;
 };
@@ -170,7 +169,7 @@ double segment_deviation(const FacetTable& table, const Patches& patches, const 
                          const Vec3& q) {
   std::vector<std::uint32_t> surfaces;
   for (const std::size_t k : c.patches) surfaces.push_back(patches.surface(k));
-  const Graph graph(table, surfaces, as_doubles(c.sense), c.value, c.known, u, room);
+  const Graph graph(table, surfaces, as_doubles(c.sense), c.value, u, room);
   const std::vector<Interval> at_p = graph.heights(p), at_q = graph.heights(q);
   return graph.deviation({&at_p, &at_q}, {p, q});
 }
@@ -186,7 +185,6 @@ Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, do
     logic.senses.push_back(c.sense[i]);
   }
   logic.value = c.value;
-  logic.known = c.known;
   sheet.graph = std::make_shared<const GraphLogic>(std::move(logic));
   return sheet;
 }
@@ -195,7 +193,7 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
                    double gap, double margin) {
   const Vec3& u = sheet.direction;
   const double room = sheet.high;
-  const Graph graph(table, sheet.surfaces, as_doubles(sheet.graph->senses), sheet.graph->value, sheet.graph->known, u, room);
+  const Graph graph(table, sheet.surfaces, as_doubles(sheet.graph->senses), sheet.graph->value, u, room);
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
   std::vector<std::vector<Interval>> rim;

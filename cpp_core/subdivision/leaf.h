@@ -27,10 +27,10 @@ struct FlatPart {
 };
 
 /// E's logic on the surfaces of a graph: their senses (+1: E's outward normal is the function's gradient), and membership
-/// (bit a of `value`, where `known`) for the sides a that a point is on (bit i: negative side of surface i).
+/// (bit a of `value`) for the sides a that a point is on (bit i: negative side of surface i).
 struct GraphLogic {
   std::vector<int> senses;
-  std::uint64_t value = 0, known = 0;
+  std::uint64_t value = 0;
 };
 
 /// One disk of E in the cell, and why what replaces it is near it.

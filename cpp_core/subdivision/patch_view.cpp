@@ -73,6 +73,19 @@ void PatchView::for_feasible(Visit visit) const {
   }
 }
 
+// Where two patches meet, and no third one is, all four combinations of their sides occur with the others' sides as they are.
+bool PatchView::linked(std::size_t k, std::size_t l) const {
+  if (excluded_[k][l] != 0) return false;
+  const Sides a = Sides{1} << k, b = Sides{1} << l;
+  bool both = false;
+  for_feasible([&](Sides sides) {
+    if (both || (sides & (a | b)) || !feasible(sides | a) || !feasible(sides | b) || !feasible(sides | a | b)) return;
+    const bool none = patches_.value(sides), in_a = patches_.value(sides | a), in_b = patches_.value(sides | b), all = patches_.value(sides | a | b);
+    both = (none != in_a || in_b != all) && (none != in_b || in_a != all);
+  });
+  return both;
+}
+
 bool PatchView::constant() const {
   if (mixed_.size() > max_mixed) return false;
   bool any_in = false, any_out = false;
@@ -106,7 +119,7 @@ std::optional<std::vector<PatchClass>> PatchView::classes() const {
     taken[seed] = true;
     for (std::size_t i = 0; i < c.patches.size(); ++i)
       for (const std::size_t l : mixed_)
-        if (sense[l] != 0 && !taken[l] && !apart(c.patches[i], l)) c.patches.push_back(l), taken[l] = true;
+        if (sense[l] != 0 && !taken[l] && linked(c.patches[i], l)) c.patches.push_back(l), taken[l] = true;
     std::sort(c.patches.begin(), c.patches.end());
     for (const std::size_t k : c.patches) c.sense.push_back(sense[k]);
     if (c.patches.size() > max_class || !tabulate(c)) return std::nullopt;
@@ -115,28 +128,60 @@ std::optional<std::vector<PatchClass>> PatchView::classes() const {
   return classes;
 }
 
-// E's value near the class's surfaces, as a function of the class's sides alone.
+// E's value near the class's surfaces, as a function of the class's sides alone: the other patches' sides are fixed there, or of no
+// influence, or such that the class is not E at all. What no feasible sides say is filled in so that the value never rises outward.
 bool PatchView::tabulate(PatchClass& c) const {
-  Sides others = 0, other_sides = 0;   // of certain side on all of the class's surfaces
+  const std::size_t n = c.patches.size();
+  Sides own = 0, others = 0, other_sides = 0;   // others: of certain side on all of the class's surfaces
+  for (const std::size_t k : c.patches) own |= Sides{1} << k;
   for (const std::size_t l : mixed_) {
-    if (std::find(c.patches.begin(), c.patches.end(), l) != c.patches.end()) continue;
+    if (own >> l & 1) continue;
     const int side = side_on(c.patches.front(), l);
     if (side == 0 || !std::all_of(c.patches.begin(), c.patches.end(), [&](std::size_t k) { return side_on(k, l) == side; })) continue;
     others |= Sides{1} << l;
     if (side < 0) other_sides |= Sides{1} << l;
   }
-  bool consistent = true;
+  // Per context, the other patches' sides: which of the class's sides occur, and their values.
+  struct Context {
+    Sides sides;
+    std::uint64_t seen = 0, value = 0;
+  };
+  std::vector<Context> contexts;
   for_feasible([&](Sides sides) {
     if ((sides & others) != other_sides) return;
+    auto context = std::find_if(contexts.begin(), contexts.end(), [&](const Context& x) { return x.sides == (sides & ~own); });
+    if (context == contexts.end()) context = contexts.insert(contexts.end(), {sides & ~own, 0, 0});
     std::size_t a = 0;
-    for (std::size_t i = 0; i < c.patches.size(); ++i)
+    for (std::size_t i = 0; i < n; ++i)
       if (sides >> c.patches[i] & 1) a |= std::size_t{1} << i;
-    const bool value = patches_.value(sides);
-    if (c.known >> a & 1) consistent = consistent && (c.value >> a & 1) == value;
-    c.known |= std::uint64_t{1} << a;
-    if (value) c.value |= std::uint64_t{1} << a;
+    context->seen |= std::uint64_t{1} << a;
+    if (patches_.value(sides)) context->value |= std::uint64_t{1} << a;
   });
-  return consistent;
+  std::uint64_t known = 0;
+  for (const Context& x : contexts) {
+    if (x.value == 0 || x.value == x.seen) continue;
+    if ((known & x.seen & (c.value ^ x.value)) != 0) return false;
+    known |= x.seen;
+    c.value |= x.value;
+  }
+  // Bits of the inner sides: a is farther out than b if its inner sides are among b's.
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (c.sense[i] > 0) inner |= std::size_t{1} << i;
+  const auto inner_sides = [&](std::size_t a) { return ~(a ^ inner); };
+  const std::size_t all = std::size_t{1} << n;
+  std::uint64_t value = 0;
+  for (std::size_t a = 0; a < all; ++a) {
+    bool rises = false;
+    for (std::size_t b = 0; b < all; ++b) {
+      const bool b_within = (inner_sides(a) & ~inner_sides(b) & (all - 1)) == 0;
+      rises = rises || (b_within && (known >> b & 1) && !(c.value >> b & 1));
+    }
+    if (rises && (known >> a & 1) && (c.value >> a & 1)) return false;
+    if (!rises) value |= std::uint64_t{1} << a;
+  }
+  c.value = value;
+  return true;
 }
 
 bool PatchView::sees(const PatchClass& c, const Vec3& u) const {

@@ -4,12 +4,12 @@
 // F + c G is of one sign, two patches have no point in common and one combination of their sides does not occur. What no
 // feasible combination of sides can flip does not bound E: that is how sheets inside other solids disappear (DESIGN §3).
 //
-// A *class* of patches is a set that may meet each other, each bounding E. Patches of different classes have no point in
-// common, so E in the box is the disjoint union of the classes' parts. On a class's surfaces E flips as `value` says. A
+// Two patches are linked if they may meet where membership depends on both; elsewhere E runs on through one of them alone. A
+// *class* is a set of patches so linked, each bounding E. E in the box is the disjoint union of the classes' parts. On a class's surfaces E flips as `value` says. A
 // *direction* u of a class has n . u > 0 for every outward normal of E that it can have: then every line along u meets the
 // class's part of E at most once (T§3.5.2 with the guard at infinity, T§3.5.4 for curved surfaces; DESIGN §3, F-star and
-// V-star). For why other classes may flip in between: along such a line the class's value falls and never rises, whatever the
-// sides of patches that are not of the class, because those are fixed on the class's surfaces, or of no influence.
+// V-star). For why other classes may flip in between: along such a line the class's value falls and never rises, and wherever E
+// is on the class's surfaces its membership is that value, whatever the sides of other patches.
 #pragma once
 
 #include "subdivision/patches.h"
@@ -21,7 +21,7 @@ namespace starcell {
 struct PatchClass {
   std::vector<std::size_t> patches;     ///< indices into Patches; at most 6
   std::vector<int> sense;               ///< +1: E's outward normal is F's gradient, -1: turned
-  std::uint64_t value = 0, known = 0;   ///< bit a: inside for the class's sides a (bit i: negative side of patches[i])
+  std::uint64_t value = 0;              ///< bit a: inside for the class's sides a (bit i: negative side of patches[i])
 };
 
 class PatchView {
@@ -44,7 +44,7 @@ class PatchView {
   bool feasible(Sides sides) const;
   void compare(std::size_t k, std::size_t l);
   int side_on(std::size_t k, std::size_t l) const;
-  bool apart(std::size_t k, std::size_t l) const { return excluded_[k][l] != 0; }
+  bool linked(std::size_t k, std::size_t l) const;
   template <class Visit>
   void for_feasible(Visit visit) const;
   bool tabulate(PatchClass& c) const;
