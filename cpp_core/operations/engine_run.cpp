@@ -16,6 +16,8 @@ constexpr int smallest_cell_bits = 4;
 constexpr int most_rounds = 24;
 constexpr int patient_rounds = 4;
 constexpr std::size_t deep_for_a_look = 5000;
+constexpr std::size_t deep_for_a_curved_look = 1000;
+constexpr int levels_below_contact = 6;
 // Up to this many leaves another position of the grid is cheaper than the exactness that one lost.
 constexpr std::size_t small_tree = 5000;
 // A region counts as much as this many facets when a budget of cells is made.
@@ -69,13 +71,15 @@ Run Engine::run(const FacetTable& table, double moved, int attempt, Effort effor
   const Timed timed(timings_["seconds.contour"]);
   Contour contour = refine_until_good(restriction, subdivision, tree, settings);
   timings_["grid_attempts"] += 1;
-  run.grazes = restriction.grid_grazes() || grazes_grid(tree, contour.bound);
+  run.grazes = grazes_grid(tree, contour.bound);
   run.exhausted = subdivision.exhausted();
   run.mesh = std::move(contour.mesh);
   run.bound = table.thickest + moved + contour.bound;
   report(tree, table, run);
   // A grid point on a curved surface: no sign there is certain, so nothing is proved.
-  if (restriction.grid_grazes()) run.unresolved.push_back(box_of(run.grid, {{0, 0, 0}, std::uint32_t{1} << run.grid.depth, 0}));
+  // (Where surfaces touch, small cells' corners lie on both: then no grid is better.)
+  if (restriction.grid_grazes() && run.unresolved.empty()) run.grazes = true;
+  if (run.grazes && restriction.grid_grazes()) run.unresolved.push_back(box_of(run.grid, {{0, 0, 0}, std::uint32_t{1} << run.grid.depth, 0}));
   return run;
 }
 
@@ -111,10 +115,14 @@ SubdivisionLimits Engine::limits(const Grid& grid, Effort effort) const {
   limits.max_bytes = options_.budget.max_bytes;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   limits.max_seconds = options_.budget.max_seconds - elapsed.count();
-  if (effort == Effort::a_look) limits.max_deep = deep_for_a_look;
-  // Where curved surfaces touch along a line, cells below the contact tolerance tell nothing more.
-  const double deep = operands_.regions.empty() || effort == Effort::usual ? 0 : tolerances_.contact;
-  limits.deep_size = static_cast<std::uint32_t>(std::min(std::max(256 * grid.step, deep) / grid.unit, 1e9));
+  if (effort == Effort::a_look) limits.max_deep = operands_.regions.empty() ? deep_for_a_look : deep_for_a_curved_look;
+  limits.deep_size = static_cast<std::uint32_t>(std::min(256 * grid.step / grid.unit, 1e9));
+  if (!operands_.regions.empty() && effort == Effort::a_look) {
+    // Where curved surfaces touch along a line, cells far below the contact tolerance tell nothing more.
+    const double levels = std::log2(grid.length(std::uint32_t{1} << grid.depth) / tolerances_.contact);
+    limits.max_level = std::min(limits.max_level, std::max(1, static_cast<int>(levels) + levels_below_contact));
+    limits.deep_size = std::max(limits.deep_size, static_cast<std::uint32_t>(std::min(tolerances_.contact / grid.unit, 1e9)));
+  }
   return limits;
 }
 

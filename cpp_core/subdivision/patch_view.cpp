@@ -239,7 +239,8 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
       count(statistics.guard_witness);
       return u.normalized();
     }
-  // The corners of the slopes' boxes stand for all of them; the program's margin is the slack of T§3.5.4.
+  // The corners of the slopes' boxes stand for all of them; the program's margin is the slack of T§3.5.4. (Of two
+  // patches the bisector is all there is to try.)
   std::vector<Vec3> corners;
   for (std::size_t i = 0; i < c.patches.size(); ++i) {
     const Interval3& slope = expansions_[c.patches[i]].slope;
@@ -251,7 +252,7 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
       if (g.norm() > 0) corners.push_back(g.normalized());
     }
   }
-  if (c.patches.size() > 1)
+  if (c.patches.size() > 2)
     if (auto u = widest_direction(corners)) {
       *u = flat(*u);
       if (u->norm() > 0 && sees(c, u->normalized())) {
