@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "cad/occ_boundary.h"
+#include "cad/recognition.h"
 #include "cad/shape_import.h"
 #include "cad/shape_reader.h"
 #include "cad/solid_import.h"
@@ -27,7 +28,12 @@ Expression import_shape(const TopoDS_Shape& shape, const std::string& name, doub
   return cad::across_boundary<InvalidSolidError>("Cannot import '" + name + "'", [&] {
     if (shape.IsNull()) throw InvalidSolidError("'" + name + "' is an empty shape.");
     std::vector<Expression> leaves;
-    for (const cad::SolidPart& part : cad::solid_parts(shape, name)) leaves.emplace_back(cad::import_solid(part, error));
+    for (const cad::SolidPart& part : cad::solid_parts(shape, name)) {
+      if (CurvedSolidPtr curved = cad::recognise(part.solid))
+        leaves.emplace_back(std::move(curved));
+      else
+        leaves.emplace_back(cad::import_solid(part, error));
+    }
     return leaves.size() == 1 ? leaves.front() : Expression::set_union(leaves);
   });
 }

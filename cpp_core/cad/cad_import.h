@@ -1,9 +1,10 @@
 // CAD files to solids: the door of the folder cad/, the only header of it that anyone else includes.
 //
-// Computes: one watertight polyhedron a solid, the union of them if there are several, with the measured two-sided
-// distance to the CAD shape in each leaf's Provenance (deflection.h says how it is measured).
+// Computes: one leaf a solid, the union of them if there are several. A solid that is one ball, cylinder, cone or torus is
+// that curved solid itself (recognition.h); any other is a watertight polyhedron with the measured two-sided distance to the
+// CAD shape in its Provenance (deflection.h says how it is measured).
 // Rests on OpenCASCADE 7.6 for reading and for triangulating single faces; the stitching (stitching.h) is ours.
-// Guarantees: what comes back passed Polyhedron::make, and its measured deflection is at most error / 2; solids whose
+// Guarantees: polyhedra passed Polyhedron::make, and their measured deflection is at most error / 2; solids whose
 // faces are planes between straight lines keep exactly their vertices and have deflection 0; same file, same bytes.
 // Does not guarantee: that the CAD model is what its author meant. Nothing is healed or sewn: what is not a closed
 // solid is refused with the reason, except that a closed shell without a solid is taken as one, and its name says so.

@@ -42,6 +42,11 @@ Expansion RevolvedSurface::expand(const Vec3& center, const Vec3& reach) const {
     const IntervalSymmetric h{round + rest * squared(nx), round + rest * squared(ny), over.f_z_z,
                               rest * nx * ny,             over.f_rho_z * nx,          over.f_rho_z * ny};
     e.hessian = scale * frame_.inverse.pull_back(h);
+    e.framed_hessian = scale * h;
+    // Across the meridian the second derivative is f_rho / rho; in its plane that of the profile (f_rho_z is 0 for both kinds).
+    const Interval across = scale * round, meridian = scale * over.f_rho_rho, height = scale * over.f_z_z;
+    e.curvature = Interval(std::min({across.lower(), meridian.lower(), height.lower()}),
+                           std::max({across.upper(), meridian.upper(), height.upper()}));
     // The mean value form is narrower in small boxes.
     const Interval3 away = frame_.inverse * spread(reach);
     const auto narrowed = [](const Interval& a, const Interval& b) { return Interval(std::max(a.lower(), b.lower()), std::min(a.upper(), b.upper())); };

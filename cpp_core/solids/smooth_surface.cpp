@@ -40,6 +40,16 @@ std::optional<double> round_distance(const RoundShape& f, const RoundShape& g, c
   return std::nullopt;
 }
 
+// The middle of a matrix, and in `wide` how far its entries reach from there.
+IntervalSymmetric middled(const IntervalSymmetric& h, double& wide) {
+  const auto middle_of = [&](const Interval& x) {
+    const double m = middle(x);
+    wide = std::max({wide, (Interval(x.upper()) - m).upper(), (Interval(m) - x.lower()).upper()});
+    return Interval(m);
+  };
+  return {middle_of(h.xx), middle_of(h.yy), middle_of(h.zz), middle_of(h.xy), middle_of(h.xz), middle_of(h.yz)};
+}
+
 }  // namespace
 
 Interval Expansion::range() const {
@@ -61,7 +71,8 @@ Interval Expansion::along(const Vec3& u) const {
 
 // With barycentric coordinates w and edges e, interpolation exceeds a quadratic function by the sum over edges of
 // w_i w_j e . H e / 2 (Waldron 1998). The sum of all w_i w_j is at most `pairs` (1/3 on a triangle, 1/4 on a segment), each at
-// most 1/4. Where H varies by D about its middle, |D| times the same sum over |e|^2 is added.
+// most 1/4. Where H varies by D about its middle, |D| times the same sum over |e|^2 is added. (By Taylor's theorem at x the excess
+// is the sum of w_i d_i . H_i d_i / 2, d_i from x to corner i, and the sum of w_i |d_i|^2 is that of w_i w_j |e|^2.)
 Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const {
   double longest = 0;
   for (const Vec3& e : edges) longest = std::max(longest, e.norm() * (1 + 1e-15));
@@ -70,27 +81,28 @@ Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const
                          Interval(0, (slope.z - slope.z).upper())};
   const double first = (norm(spread) * longest).upper();
   if (!smooth) return {-first, first};
-  const auto middled = [](const Interval& x, double& wide) {
-    const double m = middle(x);
-    wide = std::max(wide, (Interval(x.upper()) - m).upper());
-    wide = std::max(wide, (Interval(m) - x.lower()).upper());
-    return Interval(m);
-  };
   double wide = 0;
-  const IntervalSymmetric h{middled(hessian.xx, wide), middled(hessian.yy, wide), middled(hessian.zz, wide),
-                            middled(hessian.xy, wide), middled(hessian.xz, wide), middled(hessian.yz, wide)};
-  double most = 0, least = 0, sum_up = 0, sum_down = 0;
+  const IntervalSymmetric h = middled(framed ? framed_hessian : hessian, wide);
+  double most = 0, least = 0, sum_up = 0, sum_down = 0, sum_wide = 0, squares = 0;
   for (const Vec3& edge : edges) {
-    const Interval e = dot(h * enclose(edge), edge);
+    const Interval3 along = framed ? frame * enclose(edge) : enclose(edge);
+    const Interval e = dot(along, h * along);
     most = std::max(most, e.upper());
     least = std::min(least, e.lower());
     sum_up += std::max(0.0, e.upper());
     sum_down += std::max(0.0, -e.lower());
+    squares = std::max(squares, dot(along, along).upper());
   }
-  const double rest = (Interval(3 * wide) * longest * longest * pairs * 0.5 + 1e-15 * Interval(most - least)).upper();
-  const double up = std::min((Interval(most) * pairs * 0.5).upper(), (Interval(sum_up) * 0.125).upper());
-  const double down = std::min((Interval(-least) * pairs * 0.5).upper(), (Interval(sum_down) * 0.125).upper());
-  return {-(Interval(down) + rest).upper(), (Interval(up) + rest).upper()};
+  sum_wide = (Interval(3 * wide) * squares).upper();
+  const double rest = (Interval(sum_wide) * pairs * 0.5 + 1e-15 * Interval(most - least)).upper();
+  double up = std::min({first, (Interval(most) * pairs * 0.5 + rest).upper(), (Interval(sum_up) * 0.125 + rest).upper()});
+  double down = std::min({first, (Interval(-least) * pairs * 0.5 + rest).upper(), (Interval(sum_down) * 0.125 + rest).upper()});
+  if (framed) {
+    // Whatever H is at each corner, its form lies between the extreme eigenvalues.
+    up = std::min(up, std::max(0.0, (Interval(curvature.upper()) * squares * pairs * 0.5).upper()));
+    down = std::min(down, std::max(0.0, (Interval(-curvature.lower()) * squares * pairs * 0.5).upper()));
+  }
+  return {-down, up};
 }
 
 Interval Expansion::excess(const Vec3& p, const Vec3& q, const Vec3& r) const { return excess({q - p, r - q, p - r}, 0.33333333333333337); }

@@ -21,10 +21,13 @@ struct Expansion {
   IntervalSymmetric hessian;   ///< over the box; of no meaning unless `smooth`
   Interval3 slope;             ///< the gradient over the box
   bool smooth = true;          ///< false where F has a kink in the box (the tip of a cone): only `slope` holds
-  /// The slope once more, in a frame where it is narrower than the model's axes show it: slope = transpose(frame) framed_slope.
+  /// Slope and second derivatives once more, in a frame where they are narrower than along the model's axes: the derivative along
+  /// u is framed_slope . frame u, the second one frame u . framed_hessian frame u.
   bool framed = false;
   IntervalMatrix frame;
   Interval3 framed_slope;
+  IntervalSymmetric framed_hessian;
+  Interval curvature;   ///< encloses framed_hessian's eigenvalues
 
   /// F over the box.
   Interval range() const;

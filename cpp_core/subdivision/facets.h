@@ -20,7 +20,7 @@ struct Surface {
   double offset = 0;       ///< the plane is normal . x = offset
   double thickness = 0;    ///< |normal . x - offset| <= thickness on every facet of the surface
   bool shared = false;     ///< several operands lie on it: a possible contact
-  SmoothSurfacePtr form;   ///< null: the plane above; thickness holds for those who share it
+  SmoothSurfacePtr form = nullptr;   /// null: the plane above; thickness holds for those who share it
 
   double distance(const Vec3& p) const { return std::abs(normal.dot(p) - offset); }
   /// Needs a Rounding object.
