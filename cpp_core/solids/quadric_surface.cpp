@@ -1,24 +1,64 @@
 #include "solids/quadric_surface.h"
 
+#include <algorithm>
+
 namespace starcell {
+namespace {
+
+// What a term may lose, relative to its size: no term below goes through more than twelve operations, each of which loses
+// 2^-52 at most in any rounding mode.
+constexpr double loss = 24 * 1.1102230246251565e-16;
+
+double middled(const Interval& x, double& radius) {
+  const double m = middle(x);
+  radius = std::max({radius, (Interval(x.upper()) - m).upper(), (Interval(m) - x.lower()).upper()});
+  return m;
+}
+
+Interval around(double x, double radius) { return {-(radius - x), x + radius}; }
+
+}  // namespace
+
+QuadricSurface::QuadricSurface(const Vec3& origin, const IntervalSymmetric& a, const Interval3& b, const Interval& c, double least_slope,
+                               std::optional<RoundShape> shape)
+    : origin_(origin), least_slope_(least_slope), shape_(shape) {
+  a_(0, 0) = middled(a.xx, a_radius_), a_(1, 1) = middled(a.yy, a_radius_), a_(2, 2) = middled(a.zz, a_radius_);
+  a_(0, 1) = a_(1, 0) = middled(a.xy, a_radius_);
+  a_(0, 2) = a_(2, 0) = middled(a.xz, a_radius_);
+  a_(1, 2) = a_(2, 1) = middled(a.yz, a_radius_);
+  b_ = {middled(b.x, b_radius_), middled(b.y, b_radius_), middled(b.z, b_radius_)};
+  c_ = middled(c, c_radius_);
+}
 
 Expansion QuadricSurface::expand(const Vec3& center, const Vec3& reach) const {
-  const Interval3 d = enclose(center) - enclose(origin_);
-  const Interval3 ad = a_ * d;
+  // The magnitudes of all terms beside the terms themselves: their loss is a share of them. The difference from the origin
+  // itself is rounded, which moves every term by another such share.
+  const Vec3 d = center - origin_, ad = a_ * d, size = d.cwiseAbs(), a_size = a_.cwiseAbs() * size, b_size = b_.cwiseAbs();
+  const double spread = a_radius_ * size.sum() + b_radius_;
   Expansion e;
   e.reach = reach;
-  e.value = dot(d, ad) + 2.0 * dot(d, b_) + c_;
-  e.gradient = Interval(2.0) * (ad + b_);
-  e.hessian = Interval(2.0) * a_;
-  const Interval3 box{Interval(-reach.x(), reach.x()), Interval(-reach.y(), reach.y()), Interval(-reach.z(), reach.z())};
-  e.slope = e.gradient + e.hessian * box;
+  const double value = d.dot(ad + 2 * b_) + c_;
+  e.value = around(value, loss * (size.dot(a_size + 2 * b_size) + std::abs(c_)) + (1 + loss) * (2 * size.sum() * spread + c_radius_));
+  const Vec3 bend = 2 * (a_.cwiseAbs() * reach);
+  const auto component = [&](int k, Interval& gradient, Interval& slope) {
+    const double at = 2 * (ad[k] + b_[k]), lost = loss * 2 * (a_size[k] + b_size[k]) + (1 + loss) * 2 * spread;
+    gradient = around(at, lost);
+    slope = around(at, (1 + loss) * (lost + bend[k] + 2 * a_radius_ * reach.sum()));
+  };
+  component(0, e.gradient.x, e.slope.x);
+  component(1, e.gradient.y, e.slope.y);
+  component(2, e.gradient.z, e.slope.z);
+  const double radius = 2 * a_radius_;
+  e.hessian = {around(2 * a_(0, 0), radius), around(2 * a_(1, 1), radius), around(2 * a_(2, 2), radius),
+               around(2 * a_(0, 1), radius), around(2 * a_(0, 2), radius), around(2 * a_(1, 2), radius)};
   return e;
 }
 
 SmoothSurfacePtr QuadricSurface::translated(const Vec3& by) const {
-  auto shape = shape_;
-  if (shape) shape->point += by;
-  return std::make_shared<QuadricSurface>(origin_ + by, a_, b_, c_, least_slope_, shape);
+  auto moved = std::make_shared<QuadricSurface>(*this);
+  moved->origin_ += by;
+  if (moved->shape_) moved->shape_->point += by;
+  return moved;
 }
 
 }  // namespace starcell

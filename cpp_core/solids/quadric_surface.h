@@ -1,6 +1,7 @@
 // Quadrics: (x - o) . A (x - o) + 2 b . (x - o) + c = 0. Spheres, ellipsoids, cylinders and whatever a 4x4 matrix describes.
 //
-// Guarantees: the second-order enclosure is the function itself, up to rounding.
+// Coefficients are intervals, kept as middles and radii: an expansion is evaluated in doubles, with an a priori bound of what that
+// loses. Guarantees: the second-order enclosure is the function itself, up to that loss and the coefficients' radii.
 #pragma once
 
 #include "solids/smooth_surface.h"
@@ -9,9 +10,9 @@ namespace starcell {
 
 class QuadricSurface final : public SmoothSurface {
  public:
+  /// Needs a Rounding object.
   QuadricSurface(const Vec3& origin, const IntervalSymmetric& a, const Interval3& b, const Interval& c, double least_slope,
-                 std::optional<RoundShape> shape = std::nullopt)
-      : origin_(origin), a_(a), b_(b), c_(c), least_slope_(least_slope), shape_(shape) {}
+                 std::optional<RoundShape> shape = std::nullopt);
 
   Expansion expand(const Vec3& center, const Vec3& reach) const override;
   SmoothSurfacePtr translated(const Vec3& by) const override;
@@ -20,9 +21,10 @@ class QuadricSurface final : public SmoothSurface {
 
  private:
   Vec3 origin_;
-  IntervalSymmetric a_;
-  Interval3 b_;
-  Interval c_;
+  Eigen::Matrix3d a_;
+  Vec3 b_;
+  double c_ = 0;
+  double a_radius_ = 0, b_radius_ = 0, c_radius_ = 0;   // of any entry
   double least_slope_;
   std::optional<RoundShape> shape_;
 };

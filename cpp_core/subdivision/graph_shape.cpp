@@ -52,15 +52,14 @@ class Graph {
     return result;
   }
 
-  // The deviation of a piece with these corners; infinite beyond the room. Slopes are those that the lift sweeps.
+  // The deviation of a piece with these corners; infinite beyond the room. Slopes are those that the lift sweeps: the less it is
+  // lifted, the less they vary.
   double deviation(const std::vector<const std::vector<Interval>*>& heights, const std::vector<Vec3>& corners) const {
     const Box3 box = box_around(corners);
-    std::vector<double> up, down;
+    std::vector<Interval> above, below;   // how far F may be from where the piece has passed it
     {
       const Rounding rounding;
       for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-        const Interval slope(least_slope(k, corners, 0));
-        if (certain_sign(slope) <= 0) return infinity;
         const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
         const Interval excess = senses_[k] * (corners.size() == 3 ? e.excess(corners[0], corners[1], corners[2]) : e.excess(corners[0], corners[1]));
         double least = infinity, most = -infinity;
@@ -68,12 +67,15 @@ class Graph {
           least = std::min(least, (*height)[k].lower());
           most = std::max(most, (*height)[k].upper());
         }
-        up.push_back(std::max(0.0, ((Interval(excess.upper()) - least) / slope).upper()));
-        down.push_back(std::max(0.0, ((Interval(most) - excess.lower()) / slope).upper()));
+        above.push_back(Interval(excess.upper()) - least);
+        below.push_back(Interval(most) - excess.lower());
       }
     }
-    const double lift = std::max(least_lift(up, senses_, value_, true), least_lift(down, senses_, value_, false));
-    return lift <= room_ ? lift : infinity;
+    for (const double share : {0.2, 0.45, 1.0}) {
+      const double lift = lift_within(share * room_, corners, above, below);
+      if (lift <= share * room_) return lift;
+    }
+    return infinity;
   }
 
   // How far E's points may be that lie over the gap between a segment and E's loop beside it. Along the way between the two the
@@ -104,9 +106,23 @@ class Graph {
     return box;
   }
 
+  double lift_within(double room, const std::vector<Vec3>& corners, const std::vector<Interval>& above, const std::vector<Interval>& below) const {
+    std::vector<double> up, down;
+    {
+      const Rounding rounding;
+      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+        const Interval slope(least_slope(k, room, corners, 0));
+        if (certain_sign(slope) <= 0) return infinity;
+        up.push_back(std::max(0.0, (above[k] / slope).upper()));
+        down.push_back(std::max(0.0, (below[k] / slope).upper()));
+      }
+    }
+    return std::max(least_lift(up, senses_, value_, true), least_lift(down, senses_, value_, false));
+  }
+
   // Along u, where a piece is lifted to; large pieces in parts. Needs a Rounding object.
-  double least_slope(std::size_t k, const std::vector<Vec3>& corners, int depth) const {
-    const Box3 box = inflated(box_around(corners), room_ * u_.cwiseAbs());
+  double least_slope(std::size_t k, double room, const std::vector<Vec3>& corners, int depth) const {
+    const Box3 box = inflated(box_around(corners), room * u_.cwiseAbs());
     const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
     const Interval slope = e.along(senses_[k] * u_);
     if (depth >= most_parts || slope.upper() <= 0 || slope.lower() > 0.7 * slope.upper()) return slope.lower();
@@ -114,9 +130,9 @@ class Graph {
     const std::size_t n = corners.size();
     std::vector<Vec3> middles;
     for (std::size_t i = 0; i < (n == 3 ? 3 : 1); ++i) middles.push_back(0.5 * (corners[i] + corners[(i + 1) % n]));
-    if (n == 2) return std::min(least_slope(k, {corners[0], middles[0]}, depth + 1), least_slope(k, {middles[0], corners[1]}, depth + 1));
-    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, least_slope(k, {corners[i], middles[i], middles[(i + 2) % 3]}, depth + 1));
-    return std::min(least, least_slope(k, middles, depth + 1));
+    if (n == 2) return std::min(least_slope(k, room, {corners[0], middles[0]}, depth + 1), least_slope(k, room, {middles[0], corners[1]}, depth + 1));
+    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, least_slope(k, room, {corners[i], middles[i], middles[(i + 2) % 3]}, depth + 1));
+    return std::min(least, least_slope(k, room, middles, depth + 1));
   }
 
   double steepness(const Box3& box) const {

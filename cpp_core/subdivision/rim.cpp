@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "subdivision/grid_line.h"
 
@@ -118,11 +119,17 @@ class Side {
 
   // The function's sign at an offset along the stretch; what is not certain grazes.
   int sign(const Surface& s, std::uint32_t offset) {
+    const auto [found, sure] = plain_sign(s, offset);
+    sure_ = sure_ && sure;
+    return found;
+  }
+
+  // A sign that depends on the grid point alone, and whether it is certain.
+  std::pair<int, bool> plain_sign(const Surface& s, std::uint32_t offset) const {
     const Rounding rounding;
     const Interval value = s.expand(grid_.point(stretch_.at(offset)), Vec3::Zero()).value;
     const int certain = certain_sign(value);
-    if (certain == 0) sure_ = false;
-    return certain != 0 ? certain : middle(value) < 0 ? -1 : 1;
+    return {certain != 0 ? certain : middle(value) < 0 ? -1 : 1, certain != 0};
   }
 
   void isolate(std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size) {
@@ -162,26 +169,32 @@ class Side {
       p[axis] = next;
       if (still) break;
     }
-    const int start = sign(s, from);
+    // Which interval it is names the root. Where its end is too near for a certain sign the same guess is made from every cell.
+    const int start = plain_sign(s, from).first;
     std::uint32_t low = 0, high = size;   // different signs at from + low, from + high
+    bool low_sure = true, high_sure = true;
+    const auto probe = [&](std::uint32_t offset) {
+      if (offset <= low || offset >= high) return;
+      const auto [found, sure] = plain_sign(s, from + offset);
+      if (found == start)
+        low = offset, low_sure = sure;
+      else
+        high = offset, high_sure = sure;
+    };
     const auto guess = static_cast<std::uint32_t>(std::clamp(std::floor((p[axis] - begin) / grid_.unit), 0.0, static_cast<double>(size - 1)));
-    for (const std::uint32_t probe : {guess, guess + 1}) {
-      if (probe <= low || probe >= high) continue;
-      (sign(s, from + probe) == start ? low : high) = probe;
-    }
-    while (high - low > 1) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      (sign(s, from + middle) == start ? low : high) = middle;
-    }
+    probe(guess);
+    probe(guess + 1);
+    while (high - low > 1) probe(low + (high - low) / 2);
     const std::uint32_t root = stretch_.from[axis] + from + low;
-    double at_low = grid_.coordinate(axis, root), at_high = grid_.coordinate(axis, root + 1);
+    const double infinity = std::numeric_limits<double>::infinity();
+    double at_low = low_sure ? grid_.coordinate(axis, root) : -infinity, at_high = high_sure ? grid_.coordinate(axis, root + 1) : infinity;
     if (certain_sign(slope) != 0) {   // one step of interval Newton
-      p[axis] = std::clamp(p[axis], at_low, at_high);
       const Rounding rounding;
       const Interval newton = Interval(p[axis]) - s.expand(p, Vec3::Zero()).value / slope;
       at_low = std::max(at_low, newton.lower());
       at_high = std::min(at_high, newton.upper());
     }
+    if (std::isinf(at_low) || std::isinf(at_high)) sure_ = false, at_low = at_high = p[axis];
     events_.push_back({crossing(surface, 0.5 * (at_low + at_high), root), at_low, at_high, {slot}});
   }
 
