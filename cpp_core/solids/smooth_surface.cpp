@@ -40,6 +40,18 @@ std::optional<double> round_distance(const RoundShape& f, const RoundShape& g, c
   return std::nullopt;
 }
 
+// The least that g d + h d^2 / 2 can be for |d| <= r: at the parabola's bottom if that is nearer than r.
+double least(double g, double h, double r) {
+  const Interval steep(g), bent(h), far(r);
+  if (h > 0 && (far * bent).lower() > g) return -((squared(steep) / (2.0 * bent)).upper());
+  return (0.5 * bent * squared(far) - steep * far).lower();
+}
+
+Interval parabola(const Interval& g, const Interval& h, double r) {
+  const double steepest = magnitude(g);
+  return {least(steepest, h.lower(), r), -least(steepest, -h.upper(), r)};
+}
+
 // The middle of a matrix, and in `wide` how far its entries reach from there.
 IntervalSymmetric middled(const IntervalSymmetric& h, double& wide) {
   const auto middle_of = [&](const Interval& x) {
@@ -56,9 +68,9 @@ Interval Expansion::range() const {
   const Interval dx = around_zero(reach.x()), dy = around_zero(reach.y()), dz = around_zero(reach.z());
   const Interval first = value + slope.x * dx + slope.y * dy + slope.z * dz;
   if (!smooth) return first;
-  const Interval squares = hessian.xx * squared(dx) + hessian.yy * squared(dy) + hessian.zz * squared(dz);
   const Interval products = hessian.xy * dx * dy + hessian.xz * dx * dz + hessian.yz * dy * dz;
-  const Interval second = value + gradient.x * dx + gradient.y * dy + gradient.z * dz + 0.5 * squares + products;
+  const Interval second = value + parabola(gradient.x, hessian.xx, reach.x()) + parabola(gradient.y, hessian.yy, reach.y()) +
+                          parabola(gradient.z, hessian.zz, reach.z()) + products;
   return {std::max(first.lower(), second.lower()), std::min(first.upper(), second.upper())};
 }
 
