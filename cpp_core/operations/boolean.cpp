@@ -109,7 +109,13 @@ class Evaluation {
     // Curved surfaces may touch without any vertex or edge that shows it.
     const bool look = !grazes.empty() || !operands_.regions.empty();
     Try best{best_run({}, look ? Engine::Effort::a_look : Engine::Effort::usual), {}, grazes};
-    const bool cut_short = look && !best.run.unresolved.empty();
+    bool cut_short = look && !best.run.unresolved.empty();
+    if (cut_short && best.run.exhausted && grazes.empty() && is_open(best)) {
+      // Many cells, but none at the contact tolerance: nearly a contact, and no reason yet to move anything.
+      Run next = best_run({}, Engine::Effort::usual);
+      if (next.unresolved.size() < best.run.unresolved.size()) best.run = std::move(next);
+      cut_short = false;
+    }
     for (int retry = 0; retry < most_retries && is_open(best); ++retry) {
       if (retry > 0 && best.run.unresolved.size() > hopeless) break;
       std::vector<Graze> all = best.grazes;
