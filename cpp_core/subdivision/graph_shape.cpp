@@ -13,6 +13,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Slopes are looked at in parts where they vary much: of a segment beside which E's loop runs, of a piece (halved this often).
 constexpr int pieces = 4;
 constexpr int most_parts = 2;
+constexpr double much_better = 0.7;
 
 Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
 
@@ -228,12 +229,14 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
   for (Vec3 apex : proposals) {
     apex = apex.allFinite() ? Vec3(apex.cwiseMax(cell.min() + m).cwiseMin(cell.max() - m)) : centroid;
     const std::vector<Interval> at_apex = graph.heights(apex);
+    // The first is on all surfaces, so creases stay sharp and triangles stay on planes: others have to be much better.
+    const double enough = std::isinf(best.bound) ? infinity : much_better * best.bound;
     double deviation = 0;
-    for (std::size_t k = 0; k < loop.size() && deviation < best.bound; ++k) {
+    for (std::size_t k = 0; k < loop.size() && deviation < enough; ++k) {
       const std::size_t next = (k + 1) % loop.size();
       deviation = std::max(deviation, graph.deviation({&at_apex, &rim[k], &rim[next]}, {apex, loop[k], loop[next]}));
     }
-    if (deviation < best.bound) best = {apex, deviation};
+    if (deviation < enough) best = {apex, deviation};
   }
   double farthest = best.bound;
   for (std::size_t k = 0; k < loop.size() && std::isfinite(farthest); ++k)
