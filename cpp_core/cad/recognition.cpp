@@ -104,7 +104,7 @@ struct Surface {
   }
 };
 
-/// The surfaces that a solid's faces lie on, each once: at most one curved, the first, and planes.
+/// Gathers the surfaces that the faces lie on, each once: one curved, and the planes that end it.
 class Recognition {
  public:
   explicit Recognition(const TopoDS_Solid& solid) : solid_(solid) {}

@@ -12,21 +12,27 @@ class OperationCommand:
     def __init__(self, operation):
         self.operation = operation
         self.least = sum(role.least for role in operation.roles)
+        self.many = any(role.many for role in operation.roles)
 
     def GetResources(self):
-        least = translate("StarCell", "Select {} or more solids, meshes or containers of such").format(self.least)
+        least = translate("StarCell", "Select {} or more solids, meshes or containers of such") if self.many else translate(
+            "StarCell", "Select {} object")
         return {"Pixmap": resources.icon(self.operation.command),
                 "MenuText": translate("StarCell", self.operation.title),
-                "ToolTip": "{}\n{}".format(translate("StarCell", self.operation.help), least)}
+                "ToolTip": "{}\n{}".format(translate("StarCell", self.operation.help), least.format(self.least))}
 
     def IsActive(self):
-        return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog() and len(selected()) >= self.least
+        return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog() and self.takes(len(selected()))
+
+    def takes(self, count):
+        return count >= self.least if self.many else count == self.least
 
     def Activated(self):
         objects = selected()
-        if len(objects) < self.least:
-            FreeCAD.Console.PrintError(translate("StarCell", "{}: select at least {} objects first.").format(
-                translate("StarCell", self.operation.title), self.least) + "\n")
+        if not self.takes(len(objects)):
+            text = translate("StarCell", "{}: select at least {} objects first.") if self.many else translate(
+                "StarCell", "{}: select {} object first.")
+            FreeCAD.Console.PrintError(text.format(translate("StarCell", self.operation.title), self.least) + "\n")
             return
         document = FreeCAD.ActiveDocument
         names = ", ".join("FreeCAD.ActiveDocument.getObject({!r})".format(each.Name) for each in objects)
@@ -82,11 +88,18 @@ def _module_name(operation):
 
 
 def names():
-    return [operation.command for operation in operations.ALL]
+    return list(_commands())
 
 
 def register():
     """Makes the commands known to FreeCAD; their names in order."""
-    for operation in operations.ALL:
-        FreeCADGui.addCommand(operation.command, OperationCommand(operation))
+    for name, command in _commands().items():
+        FreeCADGui.addCommand(name, command)
     return names()
+
+
+def _commands():
+    from .solid_command import ToSolidCommand
+    from .solid_feature import ToSolid
+
+    return {**{operation.command: OperationCommand(operation) for operation in operations.ALL}, ToSolid.command: ToSolidCommand()}

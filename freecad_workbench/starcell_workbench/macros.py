@@ -10,6 +10,9 @@ import FreeCAD
 
 from . import lengths
 from .boolean_feature import Cut, Intersection, Union
+from .operation_feature import recompute
+from .rescue_feature import Rescue
+from .solid_feature import ToSolid
 
 
 def make_union(objects, error=None, contact=None, label=None, document=None):
@@ -25,6 +28,39 @@ def make_cut(base, tools, error=None, contact=None, label=None, document=None):
 def make_intersection(objects, error=None, contact=None, label=None, document=None):
     """What two or more objects have in common."""
     return make(Intersection, {"Operands": objects}, error, contact, label, document)
+
+
+def make_rescue(obj, error=None, contact=None, label=None, document=None):
+    """The history of `obj` (Booleans, compounds, mirror images and links of Part) computed anew, all at once."""
+    return make(Rescue, {"Source": obj}, error, contact, label, document)
+
+
+def make_solid(source, label=None, document=None):
+    """A Part solid of a closed mesh, one of StarCell's or another; its planar regions are single faces."""
+    if not _is_object(source):
+        raise TypeError("source: expected a document object, not {!r}.".format(source))
+    document = document or source.Document
+    if source.Document is not document:
+        raise ValueError("'{}' is in another document than the solid, '{}': link it there first.".format(source.Label, document.Label))
+    if not source.getLinkedObject(True).isDerivedFrom("Mesh::Feature"):
+        raise ValueError("source: '{}' is no mesh; take a result of StarCell or another closed mesh.".format(source.Label))
+
+    obj = document.addObject("Part::FeaturePython", "Solid")
+    ToSolid(obj)
+    if label:
+        obj.Label = label
+    container = _common_container({"Source": [source]})
+    if container:
+        container.addObject(obj)
+    obj.Source = source
+    if FreeCAD.GuiUp and obj.ViewObject:
+        from .solid_view import SolidView
+
+        SolidView(obj.ViewObject)
+    recompute(obj)
+    if obj.isValid():
+        source.Visibility = False
+    return obj
 
 
 def make(operation, given, error=None, contact=None, label=None, document=None, **values):
@@ -53,7 +89,7 @@ def make(operation, given, error=None, contact=None, label=None, document=None, 
         from .operation_view import OperationView
 
         OperationView(obj.ViewObject)
-    document.recompute()
+    recompute(obj)
     if obj.isValid():
         for each in obj.Proxy.linked(obj):
             each.Visibility = False

@@ -42,6 +42,12 @@ def from_mesh(mesh):
     return vertices, numpy.fromiter(chain.from_iterable(facets), numpy.int32, 3 * len(facets)).reshape(-1, 3)
 
 
+def area(vertices, triangles):
+    """Area (mm^2) of a mesh."""
+    a, b, c = numpy.moveaxis(numpy.asarray(vertices)[triangles], 1, 0)
+    return float(numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).sum() / 2)
+
+
 def volume(vertices, triangles):
     """Volume (mm^3) of a closed mesh, in double precision: signed tetrahedra over a point amid it."""
     if not len(triangles):

@@ -1,8 +1,9 @@
 """FreeCAD's objects as operands: what each one holds, and how to hand it to the engine.
 
 Understands Part and PartDesign objects, bodies, meshes (StarCell's own results among them), App::Part and groups (the
-union of their visible solids), links and link arrays. Everything comes out in the coordinates of one frame, the container
-of the result, so placements of nested containers count and a result inside a moved container stays where it belongs.
+union of their visible solids), links and link arrays. Part's primitives are handed over exactly. Everything comes out in
+the coordinates of one frame, the container of the result, so placements of nested containers count and a result inside a
+moved container stays where it belongs.
 An operand is gathered in FreeCAD's main thread; its solid() makes no FreeCAD calls, so that it can run in a worker.
 """
 import os
@@ -14,7 +15,7 @@ import FreeCAD
 import numpy
 import Part
 
-from . import mesh_transfer
+from . import mesh_transfer, primitives
 from .translation import translate
 
 
@@ -41,14 +42,26 @@ class Operand:
 class _ShapeLeaf:
     """A CAD shape, passed on bit by bit through a file of OpenCASCADE's binary format. The engine reports it by the file's name."""
 
-    def __init__(self, shape, label, folder):
+    def __init__(self, shape, matrix, label, folder):
+        self.matrix = _array(matrix)
         own = tempfile.mkdtemp(dir=folder)
         name = re.sub(r"[^\w .()+-]", "_", label)[:60].strip(" .")
         self.path = os.path.join(own, (name or "operand") + ".bin")
         shape.exportBinary(self.path)
 
     def solid(self, starcell, error):
-        return starcell.from_brep(self.path, error)
+        stretch = numpy.linalg.norm(self.matrix[:3, :3], 2)
+        return starcell.from_brep(self.path, error / stretch).transformed(self.matrix)
+
+
+class _PrimitiveLeaf:
+    """A primitive of Part, exact: see primitives.py."""
+
+    def __init__(self, recipe, matrix):
+        self.recipe, self.matrix = recipe, _array(matrix)
+
+    def solid(self, starcell, error):
+        return self.recipe(starcell).transformed(self.matrix)
 
 
 class _MeshLeaf:
@@ -56,7 +69,7 @@ class _MeshLeaf:
 
     def __init__(self, mesh, matrix):
         points, self.triangles = mesh_transfer.from_mesh(mesh)
-        map_ = numpy.array(matrix.A).reshape(4, 4)
+        map_ = _array(matrix)
         self.vertices = points @ map_[:3, :3].T + map_[:3, 3]
 
     def box(self):
@@ -69,13 +82,21 @@ class _MeshLeaf:
 def gather(obj, result, folder):
     """The Operand that `obj` is for the object `result`; shapes are written to files in `folder`. Raises OperandError."""
     operand = Operand(obj.Label)
-    to_frame = frame(result).inverse() * frame(obj)
-    for path in _leaf_paths(obj, set()):
-        _add_leaf(operand, obj, path, to_frame, folder)
+    for path in leaf_paths(obj):
+        add_leaf(operand, obj, path, to_frame(obj, result), folder)
     if not operand.leaves:
-        raise OperandError(translate("StarCell", "'{}' has no solid: an operand is a solid of Part or PartDesign, a closed mesh, "
-                                                 "or a container or link of such.").format(obj.Label))
+        raise nothing_solid(obj)
     return operand
+
+
+def nothing_solid(obj):
+    return OperandError(translate("StarCell", "'{}' has no solid: an operand is a solid of Part or PartDesign, a closed mesh, "
+                                              "or a container or link of such.").format(obj.Label))
+
+
+def to_frame(obj, result):
+    """The matrix from the coordinates of the container of `obj` to those of the container of `result`."""
+    return (frame(result).inverse() * frame(obj)).toMatrix()
 
 
 def frame(obj):
@@ -94,11 +115,13 @@ def containers(obj):
     return around
 
 
-def _leaf_paths(obj, seen, path=""):
+def leaf_paths(obj):
     """Sub-object paths of everything visible under `obj` that holds a shape or a mesh: obj itself, if it does."""
+    return _leaf_paths(obj, set(), "")
+
+
+def _leaf_paths(obj, seen, path):
     leaf, matrix, _ = obj.getSubObject(path, retType=2)
-    if not (leaf.isValid() and leaf.getLinkedObject(True).isValid()):
-        raise OperandError(translate("StarCell", "'{}' has an error of its own; mend it first.").format(leaf.Label))
     if _is_mesh(leaf) or _has_shape(leaf):
         # A member of a group inside a container is listed under both.
         key = (leaf.Document.Name, leaf.Name, tuple(matrix.A))
@@ -106,19 +129,34 @@ def _leaf_paths(obj, seen, path=""):
             seen.add(key)
             yield path
         return
+    check_valid(leaf)
     for name in leaf.getSubObjects():
         if _is_visible(leaf, name):
             yield from _leaf_paths(obj, seen, path + name)
 
 
-def _add_leaf(operand, obj, path, to_frame, folder):
+def check_valid(obj):
+    if not (obj.isValid() and obj.getLinkedObject(True).isValid()):
+        raise OperandError(translate("StarCell", "'{}' has an error of its own; mend it first.").format(obj.Label))
+
+
+def resolve(obj, path):
+    """(leaf, linked, matrix): the object at a path, what it links to in the end, and the matrix from the coordinates of that one's
+    shape or mesh, without its own placement, to those of the container of `obj`."""
     leaf, matrix, _ = obj.getSubObject(path, retType=2)
+    linked, beyond = leaf.getLinkedObject(True, FreeCAD.Matrix(), False)  # what a link adds to its own placement
+    return leaf, linked, matrix * beyond
+
+
+def add_leaf(operand, obj, path, matrix, folder):
+    """Adds the shape or mesh at a path, moved by `matrix`. Raises OperandError if there is no solid, unless it lies in a container."""
+    leaf, linked, own = resolve(obj, path)
+    check_valid(leaf)
     if _is_mesh(leaf):
-        linked, beyond = leaf.getLinkedObject(True, FreeCAD.Matrix(), False)  # what a link adds to its own placement
         mesh = linked.Mesh
         if mesh.CountFacets == 0:
             raise OperandError(translate("StarCell", "'{}' is an empty mesh.").format(leaf.Label))
-        operand.leaves.append(_MeshLeaf(mesh, to_frame.toMatrix() * matrix * beyond))
+        operand.leaves.append(_MeshLeaf(mesh, matrix * own))
         operand.box.add(operand.leaves[-1].box())
         return
     shape = Part.getShape(obj, path)
@@ -126,9 +164,22 @@ def _add_leaf(operand, obj, path, to_frame, folder):
         if path:
             return  # sketches, datums and the like that live in a container
         raise OperandError(_no_solid(leaf, shape))
-    shape.Placement = to_frame * shape.Placement
-    operand.leaves.append(_ShapeLeaf(shape, leaf.Label, folder))
-    operand.box.add(shape.BoundBox)
+    # OpenCASCADE's placements turn and shift, no more: mirror images and stretches are left to the engine.
+    rest = FreeCAD.Matrix() if _is_rigid(matrix) else matrix
+    if _is_rigid(matrix):
+        shape.Placement = FreeCAD.Placement(matrix) * shape.Placement
+    recipe = primitives.recipe(linked)
+    operand.leaves.append(_PrimitiveLeaf(recipe, matrix * own) if recipe else _ShapeLeaf(shape, rest, leaf.Label, folder))
+    operand.box.add(shape.BoundBox.transformed(rest))
+
+
+def _is_rigid(matrix):
+    linear = _array(matrix)[:3, :3]
+    return numpy.linalg.det(linear) > 0 and numpy.allclose(linear @ linear.T, numpy.eye(3), atol=1e-9)
+
+
+def _array(matrix):
+    return numpy.array(matrix.A).reshape(4, 4)
 
 
 def _no_solid(leaf, shape):

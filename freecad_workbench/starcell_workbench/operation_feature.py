@@ -49,6 +49,13 @@ class OperationFeature:
         """The engine's call. solids: {role: solid or list of solids}; values: {parameter: value}; options: error, contact, ..."""
         raise NotImplementedError
 
+    def gather(self, each, obj, folder):
+        """What the linked object `each` is for `obj`: label, box, and solid() for the worker. Shapes are written to files in `folder`."""
+        return operands.gather(each, obj, folder)
+
+    def published(self, obj, result):
+        """Called when the output properties are set: an operation with more to say adds it here."""
+
     def reach(self, boxes):
         """A box that the result will not leave, from {role: box or list of boxes}: it sets the automatic error."""
         whole = FreeCAD.BoundBox()
@@ -118,6 +125,7 @@ class OperationFeature:
         mesh.Placement = obj.Placement  # assigning a mesh overwrites the object's placement
         obj.Mesh = mesh
         report.publish(obj, result, asked, self.linked(obj), time.monotonic() - start)
+        self.published(obj, result)
 
     def _gather(self, obj, folder):
         """{role: Operand or list of Operands}, and the links to the containers whose placement matters."""
@@ -127,7 +135,7 @@ class OperationFeature:
             if len(objects) < role.least:
                 raise operands.OperandError(translate("StarCell", "{} needs at least {} object(s), and has {}.").format(
                     role.name, role.least, len(objects)))
-            gathered = [operands.gather(each, obj, folder) for each in objects]
+            gathered = [self.gather(each, obj, folder) for each in objects]
             given[role.name] = gathered if role.many else gathered[0]
         own = operands.containers(obj)
         frames = {around.Name: around for each in self.linked(obj) for around in operands.containers(each) if around not in own}
@@ -175,6 +183,13 @@ class OperationFeature:
 
     dumps = __getstate__
     loads = __setstate__
+
+
+def recompute(obj):
+    """Recomputes the document. FreeCAD leaves out what depends on a failed object; `obj` is tried nonetheless, to say why it fails."""
+    obj.Document.recompute()
+    if "Touched" in obj.State and obj.isValid():
+        obj.recompute()
 
 
 def _over(given, function):

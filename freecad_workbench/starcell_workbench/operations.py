@@ -1,4 +1,5 @@
 """Every operation of the workbench, in the order of menu and toolbar. A new one is its class, and its name here."""
 from .boolean_feature import Cut, Intersection, Union
+from .rescue_feature import Rescue
 
-ALL = (Union, Cut, Intersection)
+ALL = (Union, Cut, Intersection, Rescue)

@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from . import lengths, report, resources
 from .commands import selected
+from .operation_feature import recompute
 from .translation import translate
 
 
@@ -61,7 +62,7 @@ class OperationTask:
         except ValueError as problem:
             self.show_problem(str(problem))
             return False
-        document.recompute()
+        recompute(self.obj)
         self.show_result()
         if self.obj.isValid():
             document.commitTransaction()

@@ -1,4 +1,5 @@
-"""Computes the demo's cases with StarCell: demo.py FOLDER. Run by `./run demo`, after model_parts.py has filled FOLDER.
+"""Computes the demo's cases with StarCell: demo.py FOLDER. Run by `./run demo`, after model_parts.py and rescue_parts.py have
+filled FOLDER.
 
 Writes every result as STL and PLY, a picture of it, and report.md. Each result is held against what is known of it from
 elsewhere: topology counted on the drawing, and OpenCASCADE's own volume where its result is valid. Anything that does not
@@ -68,6 +69,26 @@ def row(case, result, seconds, known):
             str(len(result.triangles)), "%.2f" % seconds, "%.1f" % volume(result), off, allowed, "![](%s.png)" % case.name)
 
 
+RESCUE_HEAD = ("rescue", "OpenCASCADE gives", "StarCell (mm³)", "truth (mm³)", "verdict", "bound (mm)", "genus", "triangles", "seconds", "picture")
+
+
+def rescues(folder):
+    """The gallery of Booleans that OpenCASCADE gets wrong: lines of the report, and how many StarCell got wrong too."""
+    lines, wrong = ["", "## Rescued from OpenCASCADE", "",
+                    "Part's own Booleans of simple primitives, and StarCell's `make_rescue` of the same objects (resources/demo/rescues.py).", "",
+                    "| " + " | ".join(RESCUE_HEAD) + " |", "|" + "---|" * len(RESCUE_HEAD)], 0
+    for case in json.loads((folder / "rescues.json").read_text()):
+        mesh = sc.read_mesh(folder / ("rescue_%s.ply" % case["name"]))
+        picture(folder / ("rescue_%s.png" % case["name"]), [Item(mesh.vertices, mesh.triangles, (STEEL, BRASS, GREEN))], (1, -1.4, 0.9))
+        lines.append("| " + " | ".join((case["title"], case["opencascade"], "%.3f" % case["volume"], "%.3f" % case["true"], case["verdict"],
+                                        "%.4f" % case["bound"], " ".join(map(str, case["genus"])) or "–", str(case["triangles"]),
+                                        "%.2f" % case["seconds"], "![](rescue_%s.png)" % case["name"])) + " |")
+        for sentence in case["wrong"]:
+            wrong += 1
+            print("WRONG: %s: %s" % (case["title"], sentence), flush=True)
+    return lines, wrong
+
+
 def report(rows, notes):
     lines = ["# Union, cut and intersection of mechanical parts", "",
              "Made by `./run demo`. The parts are modelled with OpenCASCADE (resources/demo/parts.py), written as STEP, read back by "
@@ -98,7 +119,9 @@ def main(folder):
             wrong += 1
             notes.append("  * WRONG: " + sentence + ".")
             print("WRONG: %s: %s" % (case.name, sentence), flush=True)
-    text = report(rows, notes)
+    gallery, wrong_rescues = rescues(folder)
+    wrong += wrong_rescues
+    text = report(rows, notes) + "\n".join(gallery) + "\n"
     (folder / "report.md").write_text(text)
     print("\n" + text + "\nReport, meshes and pictures: build/demo")
     return 1 if wrong else 0

@@ -66,6 +66,16 @@ class CurvedSolids(DocumentTest):
         self.assertSolid(obj, 1000 + 7 / 8 * ball, relative=0.1 * area / (1000 + 7 / 8 * ball), verdicts=("exact", "contact"))
         self.assertLessEqual(obj.ErrorBound.Value, 0.1)
         self.assertGreater(obj.ErrorBound.Value, 0)
+        self.assertNotIn("approximated", obj.Report)
+
+    def test_curved_faces_of_other_shapes_are_approximated(self):
+        # A block with rounded edges: 1000 less four times the square outside a quarter circle of radius 2, over a height of 10.
+        block = self.doc.addObject("Part::Feature", "Rounded")
+        upright = self.box(name="Plain").Shape
+        block.Shape = upright.makeFillet(2, [edge for edge in upright.Edges if edge.BoundBox.ZLength > 9])
+        volume = 1000 - 4 * (4 - math.pi) * 10
+        obj = scw.make_union([block, self.box((2, 2, 2), (4, 4, 9))], error=0.05)
+        self.assertSolid(obj, volume + 4, relative=0.05 * 4 * math.pi * 10 / volume)
         self.assertIn("approximated", obj.Report)
 
     def test_bored_block_is_within_the_bound(self):
@@ -75,7 +85,7 @@ class CurvedSolids(DocumentTest):
         cylinder.Placement.Base = FreeCAD.Vector(5, 5, -1)
         obj = scw.make_cut(self.box(), cylinder, error=0.05)
         self.assertSolid(obj, 1000 - 90 * math.pi, genus=(1,), relative=0.05 * 60 * math.pi / (1000 - 90 * math.pi))
-        walls = [math.hypot(p.x - 5, p.y - 5) for p in obj.Mesh.Topology[0] if 1e-3 < min(p.x, p.y, 10 - p.x, 10 - p.y)]
+        walls = [math.hypot(p.x - 5, p.y - 5) for p in obj.Mesh.Topology[0] if 1e-3 < min(*p, 10 - p.x, 10 - p.y, 10 - p.z)]
         self.assertTrue(walls)
         self.assertLessEqual(max(abs(r - 3) for r in walls), obj.ErrorBound.Value)
 

@@ -6,7 +6,7 @@ from PySide import QtGui
 
 import starcell_workbench as scw
 
-NAMES = ("StarCell_Union", "StarCell_Cut", "StarCell_Intersection")
+NAMES = ("StarCell_Union", "StarCell_Cut", "StarCell_Intersection", "StarCell_Rescue", "StarCell_ToSolid")
 
 
 class Commands(window.WindowTest):
@@ -35,6 +35,30 @@ class Commands(window.WindowTest):
         for picked, wanted in (((), False), ((self.plate,), False), ((self.plate, self.rib), True), ((self.plate, self.rib, self.bore), True)):
             window.select(*picked)
             self.assertEqual(command.isActive(), wanted)
+
+    def test_rescue_takes_one_object(self):
+        fuse = self.doc.addObject("Part::Fuse", "Fuse")
+        fuse.Base, fuse.Tool = self.plate, self.rib
+        self.doc.recompute()
+        command = FreeCADGui.Command.get("StarCell_Rescue")
+        for picked, wanted in (((), False), ((fuse,), True), ((fuse, self.bore), False)):
+            window.select(*picked)
+            self.assertEqual(command.isActive(), wanted)
+        rescue = self.run_on("StarCell_Rescue", fuse)
+        self.assertEqual((rescue.isValid(), rescue.Source, rescue.Agrees), (True, fuse, True), rescue.getStatusString())
+        self.assertFalse(fuse.ViewObject.Visibility)
+        self.assertEqual(rescue.ViewObject.Proxy.claimChildren(), [fuse])
+        window.select(rescue)
+        window.shot("rescue", self.doc)
+
+    def test_rescue_says_where_opencascade_is_wrong(self):
+        fuse = self.doc.addObject("Part::Fuse", "Fuse")
+        fuse.Base, fuse.Tool = self.plate, self.rib
+        self.doc.recompute()
+        fuse.Shape = self.plate.Shape
+        fuse.purgeTouched()
+        self.run_on("StarCell_Rescue", fuse)
+        self.assertIn("differs in volume", window.report_text())
 
     def test_union_then_cut(self):
         union = self.run_on("StarCell_Union", self.plate, self.rib)

@@ -1,0 +1,32 @@
+"""How a solid made of a mesh shows itself: its icon, and the mesh as its child."""
+from . import resources
+
+
+class SolidView:
+    def __init__(self, vobj):
+        vobj.Proxy = self
+
+    def attach(self, vobj):
+        self.obj = vobj.Object
+
+    def getIcon(self):
+        return resources.icon(self.obj.Proxy.command)
+
+    def claimChildren(self):
+        return [self.obj.Source] if self.obj.Source else []
+
+    def onDelete(self, vobj, subelements):
+        for each in self.claimChildren():
+            each.Visibility = True
+        return True
+
+    # All state is in properties. FreeCAD 0.20 calls the first pair, newer versions the second.
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    dumps = __getstate__
+    loads = __setstate__
