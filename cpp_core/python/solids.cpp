@@ -153,7 +153,8 @@ void bind_solids(py::module_& module) {
   module.def(
       "from_brep", &from_brep, py::arg("path"), py::arg("error"),
       "The solid in an OpenCASCADE shape file (.brep, .bin, .step). error: largest distance, model units, by which a "
-      "tessellated curved face may differ; the measured one counts in every certificate. Planar faces are exact. Raises "
+      "tessellated curved face may differ; the measured one counts in every certificate. Planar faces are exact, and so are "
+      "whole balls, round cylinders, cones and ring tori, which become Sphere, Cylinder, Cone and Torus. Raises "
       "FileError if the file cannot be read, InvalidSolidError with the reason if its shape is no closed solid, ValueError "
       "unless error > 0, Error if the module starcell_cad is missing. Source: DESIGN, section 6.");
 }
