@@ -189,7 +189,9 @@ class Evaluation {
     std::size_t work = best.leaves;
     for (int attempt = 1; attempt < most_attempts; ++attempt) {
       const bool smaller = few && best.leaves > least_leaves && work < most_work;
-      if (!smaller && !(best.grazes && attempt < most_exact_attempts)) break;
+      // One solid alone touches nothing: what is open then is a line of the grid along its surface, as round numbers have it.
+      const bool unlucky = best.grazes || (!table.regions.empty() && !best.unresolved.empty() && best.suspects.empty() && !out_of_budget(best));
+      if (!smaller && !(unlucky && attempt < most_exact_attempts)) break;
       Run next = engine_.run(table, moved, attempt, effort);
       work += next.leaves;
       if (next.unresolved.size() > best.unresolved.size() || (next.grazes && !best.grazes)) continue;

@@ -10,7 +10,8 @@
 namespace starcell {
 namespace {
 
-constexpr int max_splits = 5;
+// Where three curves nearly meet in a point of the face, their corners are that much nearer to each other than the face is large.
+constexpr int max_splits = 10;
 // Chords may take this share of the error before they are bent, this often.
 constexpr double sway_share = 0.25;
 constexpr int most_bendings = 3;

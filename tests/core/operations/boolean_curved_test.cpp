@@ -146,6 +146,39 @@ TEST(BooleanOfCurved, TangenciesEndAsContacts) {
   }
 }
 
+// A cylinder's rim that comes down on another one's end plane at a shallow angle: where they meet, three curves on the faces beside
+// the corner nearly pass through one point.
+TEST(BooleanOfCurved, ARimAtAShallowAngleIsResolved) {
+  for (const double off : {1e-3, 1e-4, -1e-3}) {
+    const Expression tilted = rod({2 + 0.3 * off, 0.7 * off, 0.2 * off}, {0, -1, 1}, 3, 5), upright = rod({0, 2, 0}, {0, 0, -1}, 2, 5);
+    const Result r = evaluate(tilted | upright, with_error(0.0625));
+    expect_sound(r, "rim");
+    EXPECT_EQ(r.certificate.verdict, Verdict::exact) << off;
+    EXPECT_EQ(r.certificate.components, off > 0 ? 1 : 2) << off;
+  }
+}
+
+// Round numbers: lines of the grid lie in the cone's surface, along its rulings. Another grid has to be found.
+TEST(BooleanOfCurved, RulingsAlongGridLinesAreNoContact) {
+  Eigen::Matrix4d map = Eigen::Matrix4d::Identity();
+  map.topLeftCorner<3, 3>() = Eigen::AngleAxisd(pi / 4, Vec3::UnitX()).toRotationMatrix();
+  map.topRightCorner<3, 1>() = Vec3(-2, 2, -3);
+  const Expression e = cone(0, 2, 5).transformed(map) | rod({-2, 0, 1}, {-1, 0, 0}, 3, 4);
+  const Result r = evaluate(e, with_error(0.0547));
+  expect_sound(r, "cone");
+  EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(r.certificate.genus, std::vector<int>({0}));
+}
+
+// Sheets that run closely beside each other make one cell after the other fail once it is drawn.
+TEST(BooleanOfCurved, ATangentConeInATorusEndsAsAContact) {
+  const Expression tube(CurvedSolid::torus({0, -2, 0}, {0, 0, 1}, 4, 2)), stub(CurvedSolid::cone({1, -3, -1}, {1, 0, 0}, 3, 4, 1));
+  const Result r = evaluate(tube | stub, with_error(0.09));
+  expect_sound(r, "torus and cone");
+  EXPECT_EQ(r.certificate.verdict, Verdict::contact);
+  EXPECT_EQ(r.certificate.genus, std::vector<int>({1}));
+}
+
 // A comb of three plates, pierced by ellipsoids: a long one goes through all three, others through the upper two.
 TEST(BooleanOfCurved, GenusIsThatOfTheHoles) {
   std::vector<Expression> plates{solid(box({-1, 0, 0}, {0, 8, 5}))};
