@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "numerics/linear_program.h"
+
 namespace starcell {
 namespace {
 
@@ -156,6 +158,36 @@ class Graph {
   const double room_;
 };
 
+// Do all triangles of the fan face u?
+bool unfolded(const std::vector<Vec3>& loop, const Vec3& apex, const Vec3& u) {
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    if (!((loop[k] - apex).cross(loop[(k + 1) % loop.size()] - apex).dot(u) > 0)) return false;
+  return true;
+}
+
+// Points on the sheet's surfaces over the deepest point of the kernel of the loop's shadow, found by the small linear program.
+std::vector<Vec3> seeing_places(const FacetTable& table, const Sheet& sheet, const std::vector<Vec3>& loop, const Box3& inside) {
+  std::vector<Vec3> normals, places;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec3 outward = (loop[(k + 1) % loop.size()] - loop[k]).cross(sheet.direction);
+    if (!(outward.norm() > 0)) return {};
+    normals.push_back(outward.normalized());
+  }
+  const auto seen = deepest_point(normals, loop, inside);
+  if (!seen) return {};
+  for (const std::uint32_t surface : sheet.surfaces) {
+    Vec3 x = *seen;
+    for (int step = 0; step < 6; ++step) {   // Newton's method along the direction
+      Vec3 gradient;
+      const double value = table.surfaces[surface].value(x, &gradient), slope = gradient.dot(sheet.direction);
+      if (slope == 0) break;
+      x -= value / slope * sheet.direction;
+    }
+    if (x.allFinite() && inside.contains(x)) places.push_back(x);
+  }
+  return places;
+}
+
 std::vector<double> as_doubles(const std::vector<int>& senses) { return {senses.begin(), senses.end()}; }
 
 }  // namespace
@@ -224,20 +256,33 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
     for (std::size_t i = 0; i < sheet.surfaces.size(); ++i)
       for (std::size_t j = i + 1; j < sheet.surfaces.size(); ++j)
         proposals.push_back(common_place(table, {sheet.surfaces[i], sheet.surfaces[j]}, centroid));
-  const Vec3 m = Vec3::Constant(margin);
-  GraphFan best{centroid, infinity};
-  for (Vec3 apex : proposals) {
-    apex = apex.allFinite() ? Vec3(apex.cwiseMax(cell.min() + m).cwiseMin(cell.max() - m)) : centroid;
+  const Box3 inside(cell.min() + Vec3::Constant(margin), cell.max() - Vec3::Constant(margin));
+  const auto deviation_below = [&](const Vec3& apex, double enough) {
     const std::vector<Interval> at_apex = graph.heights(apex);
-    // The first is on all surfaces, so creases stay sharp and triangles stay on planes: others have to be much better.
-    const double enough = std::isinf(best.bound) ? infinity : much_better * best.bound;
     double deviation = 0;
     for (std::size_t k = 0; k < loop.size() && deviation < enough; ++k) {
       const std::size_t next = (k + 1) % loop.size();
       deviation = std::max(deviation, graph.deviation({&at_apex, &rim[k], &rim[next]}, {apex, loop[k], loop[next]}));
     }
+    return deviation;
+  };
+  GraphFan best{centroid, infinity};
+  for (Vec3 apex : proposals) {
+    apex = apex.allFinite() ? Vec3(apex.cwiseMax(inside.min()).cwiseMin(inside.max())) : centroid;
+    // The first is on all surfaces, so creases stay sharp and triangles stay on planes: others have to be much better.
+    const double enough = std::isinf(best.bound) ? infinity : much_better * best.bound;
+    const double deviation = deviation_below(apex, enough);
     if (deviation < enough) best = {apex, deviation};
   }
+  // A fan that folds is as near, but it looks wrong: an apex that sees its whole loop may be a little farther off.
+  if (std::isfinite(best.bound) && !unfolded(loop, best.apex, u))
+    for (const Vec3& apex : seeing_places(table, sheet, loop, inside)) {
+      const double enough = best.bound / much_better + 1e-15;
+      const double deviation = unfolded(loop, apex, u) ? deviation_below(apex, enough) : infinity;
+      if (!(deviation < enough)) continue;
+      best = {apex, deviation};
+      break;
+    }
   double farthest = best.bound;
   for (std::size_t k = 0; k < loop.size() && std::isfinite(farthest); ++k)
     if (sways[k].by + gap > 0) farthest = std::max(farthest, graph.beside(loop[k], loop[(k + 1) % loop.size()], best.bound, sways[k], gap));
