@@ -87,7 +87,7 @@ Interval Expansion::along(const Vec3& u) const {
 // is the sum of w_i d_i . H_i d_i / 2, d_i from x to corner i, and the sum of w_i |d_i|^2 is that of w_i w_j |e|^2.)
 Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const {
   double longest = 0;
-  for (const Vec3& e : edges) longest = std::max(longest, e.norm() * (1 + 1e-15));
+  for (const Vec3& e : edges) longest = std::max(longest, e.norm() * (1 + 1e-9));
   // To first order: the slopes towards the corners differ by no more than their spread.
   const Interval3 spread{Interval(0, (slope.x - slope.x).upper()), Interval(0, (slope.y - slope.y).upper()),
                          Interval(0, (slope.z - slope.z).upper())};
@@ -103,10 +103,11 @@ Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const
     least = std::min(least, e.lower());
     sum_up += std::max(0.0, e.upper());
     sum_down += std::max(0.0, -e.lower());
-    squares = std::max(squares, dot(along, along).upper());
+    squares = std::max(squares, (dot(along, along) * (1 + 1e-9)).upper());
   }
   sum_wide = (Interval(3 * wide) * squares).upper();
-  const double rest = (Interval(sum_wide) * pairs * 0.5 + 1e-15 * Interval(most - least)).upper();
+  // The edges are rounded differences: far less than the billionth part that is added.
+  const double rest = (Interval(sum_wide) * pairs * 0.5 + 1e-9 * (Interval(most) - least)).upper();
   double up = std::min({first, (Interval(most) * pairs * 0.5 + rest).upper(), (Interval(sum_up) * 0.125 + rest).upper()});
   double down = std::min({first, (Interval(-least) * pairs * 0.5 + rest).upper(), (Interval(sum_down) * 0.125 + rest).upper()});
   if (framed) {

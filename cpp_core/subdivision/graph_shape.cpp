@@ -19,6 +19,12 @@ constexpr double much_better = 0.7;
 
 Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
 
+// An expansion over a box whose middle is rounded: a little more than the box. Needs a Rounding object.
+Expansion over(const Surface& surface, const Box3& box) {
+  const double rounded = 1e-15 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return surface.expand(box.center(), 0.5 * box.sizes() + Vec3::Constant(rounded));
+}
+
 // The smallest lift at which E's logic says what is wanted, given the lifts from which each patch is certainly passed.
 double least_lift(const std::vector<double>& passed, const std::vector<double>& senses, std::uint64_t value, bool outside) {
   const std::size_t n = passed.size();
@@ -63,7 +69,7 @@ class Graph {
     {
       const Rounding rounding;
       for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-        const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+        const Expansion e = over(*surfaces_[k], box);
         const Interval excess = senses_[k] * (corners.size() == 3 ? e.excess(corners[0], corners[1], corners[2]) : e.excess(corners[0], corners[1]));
         double least = infinity, most = -infinity;
         for (const auto* height : heights) {
@@ -126,7 +132,7 @@ class Graph {
   // Along u, where a piece is lifted to; large pieces in parts. Needs a Rounding object.
   double least_slope(std::size_t k, double room, const std::vector<Vec3>& corners, int depth) const {
     const Box3 box = inflated(box_around(corners), room * u_.cwiseAbs());
-    const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+    const Expansion e = over(*surfaces_[k], box);
     const Interval slope = e.along(senses_[k] * u_);
     if (depth >= most_parts || slope.upper() <= 0 || slope.lower() > 0.7 * slope.upper()) return slope.lower();
     double least = infinity;
@@ -142,7 +148,7 @@ class Graph {
     const Rounding rounding;
     double steepest = 0;
     for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      const Expansion e = surfaces_[k]->expand(box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+      const Expansion e = over(*surfaces_[k], box);
       const Interval3 normal = Interval(senses_[k]) * e.slope;
       const Interval along = e.along(senses_[k] * u_);
       if (certain_sign(along) <= 0) return infinity;
