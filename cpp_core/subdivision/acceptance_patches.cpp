@@ -22,14 +22,6 @@ bool on_class(const Patches& patches, const PatchClass& c, const Crossing& x) {
   return std::find(c.patches.begin(), c.patches.end(), patches.index_of(x.surface)) != c.patches.end();
 }
 
-Vec3 place_of(const Crossing& x, const Grid& grid) {
-  Vec3 p;
-  p[x.axis] = x.at;
-  p[(x.axis + 1) % 3] = grid.coordinate((x.axis + 1) % 3, x.i);
-  p[(x.axis + 2) % 3] = grid.coordinate((x.axis + 2) % 3, x.j);
-  return p;
-}
-
 }  // namespace
 
 bool Acceptance::near_enough(const Sheet& sheet, const Loop& loop, const Box3& box) const {

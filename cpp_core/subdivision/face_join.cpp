@@ -5,14 +5,6 @@
 namespace starcell {
 namespace {
 
-Vec3 place_of(const Crossing& x, const Grid& grid) {
-  Vec3 p;
-  p[x.axis] = x.at;
-  p[(x.axis + 1) % 3] = grid.coordinate((x.axis + 1) % 3, x.i);
-  p[(x.axis + 2) % 3] = grid.coordinate((x.axis + 2) % 3, x.j);
-  return p;
-}
-
 void append(Arc& arc, const Arc& tail, const Grid* joints) {
   // Where both parts lie on one plane the joint is no bend.
   const bool bend = joints && (arc.surfaces.back() == no_surface || arc.surfaces.back() != tail.surfaces.front());

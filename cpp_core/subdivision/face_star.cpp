@@ -77,7 +77,7 @@ class FaceStar {
   }
 
   End end_of(const Flip& flip, std::size_t patch, const Face& face, const Vec3& u) const {
-    const Vec3 t = forward(face, u), p = flip.place(grid_);
+    const Vec3 t = forward(face, u), p = place_of(flip.crossing, grid_);
     const int other = flip.crossing.axis == face.b_axis() ? face.c_axis() : face.b_axis();
     const Rounding rounding;
     const Interval at = Interval(t[flip.crossing.axis]) * Interval(flip.low, flip.high) + Interval(t[other]) * p[other];
@@ -105,7 +105,7 @@ class FaceStar {
     Arc arc;
     arc.start = start.flip->crossing;
     arc.end = end.flip->crossing;
-    const Vec3 p = start.flip->place(grid_), q = end.flip->place(grid_);
+    const Vec3 p = place_of(start.flip->crossing, grid_), q = place_of(end.flip->crossing, grid_);
     arc.surfaces = {plane_or_none(start.patch)};
     arc.along = u;
     const Vec3 t = forward(face, u);

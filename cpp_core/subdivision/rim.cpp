@@ -209,14 +209,6 @@ class Side {
 
 }  // namespace
 
-Vec3 Flip::place(const Grid& grid) const {
-  Vec3 p;
-  p[crossing.axis] = crossing.at;
-  p[(crossing.axis + 1) % 3] = grid.coordinate((crossing.axis + 1) % 3, crossing.i);
-  p[(crossing.axis + 2) % 3] = grid.coordinate((crossing.axis + 2) % 3, crossing.j);
-  return p;
-}
-
 std::optional<std::vector<Flip>> rim_flips(const Restriction& restriction, const CellProblem& problem, const Face& face, bool certain) {
   std::vector<Flip> around;
   // Counter-clockwise: bottom and right upwards, top and left downwards.

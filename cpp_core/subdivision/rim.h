@@ -19,8 +19,6 @@ struct Flip {
   double low = 0, high = 0;   ///< encloses the place along the crossing's axis
   bool enters = false;
   int side = 0;               ///< 0: b low, 1: b high, 2: c low, 3: c high
-
-  Vec3 place(const Grid& grid) const;
 };
 
 /// All flips around the square, beginning at its lower corner. `certain` false: the best guess instead of none.

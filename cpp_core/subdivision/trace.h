@@ -39,6 +39,15 @@ struct Crossing {
   }
 };
 
+/// Where a crossing is, to rounding.
+inline Vec3 place_of(const Crossing& x, const Grid& grid) {
+  Vec3 p;
+  p[x.axis] = x.at;
+  p[(x.axis + 1) % 3] = grid.coordinate((x.axis + 1) % 3, x.i);
+  p[(x.axis + 2) % 3] = grid.coordinate((x.axis + 2) % 3, x.j);
+  return p;
+}
+
 /// A square of a grid plane.
 struct Face {
   int axis = 0;
