@@ -195,11 +195,7 @@ class FaceStar {
   std::optional<std::vector<Arc>> split(const Face& face, int splits) {
     std::vector<Arc> parts;
     for (int quarter = 0; quarter < 4; ++quarter) {
-      Face square = face;
-      square.size = face.size / 2;
-      if (quarter & 1) square.b += square.size;
-      if (quarter & 2) square.c += square.size;
-      auto arcs = trace(square, splits + 1);
+      auto arcs = trace(face.quarter(quarter), splits + 1);
       if (!arcs) return std::nullopt;
       parts.insert(parts.end(), std::make_move_iterator(arcs->begin()), std::make_move_iterator(arcs->end()));
     }

@@ -64,6 +64,14 @@ struct Face {
     p[c_axis()] = c + (bit_c ? size : 0);
     return p;
   }
+  /// One of its four squares; bit 0: upper half along b, bit 1: along c.
+  Face quarter(int index) const {
+    Face square = *this;
+    square.size = size / 2;
+    if (index & 1) square.b += square.size;
+    if (index & 2) square.c += square.size;
+    return square;
+  }
   friend bool operator==(const Face&, const Face&) = default;
 };
 

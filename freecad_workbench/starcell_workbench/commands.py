@@ -34,27 +34,32 @@ class OperationCommand:
                 "StarCell", "{}: select {} object first.")
             FreeCAD.Console.PrintError(text.format(translate("StarCell", self.operation.title), self.least) + "\n")
             return
-        document = FreeCAD.ActiveDocument
         names = ", ".join("FreeCAD.ActiveDocument.getObject({!r})".format(each.Name) for each in objects)
-        document.openTransaction(translate("StarCell", self.operation.title))
-        try:
-            # Through the interpreter, so that the macro recorder writes it down.
-            FreeCADGui.doCommand("from starcell_workbench import macros, {}".format(_module_name(self.operation)))
-            FreeCADGui.doCommand("macros.from_selection({}.{}, [{}])".format(
-                _module_name(self.operation), self.operation.__name__, names))
-        except Exception as problem:
-            document.abortTransaction()
-            FreeCAD.Console.PrintError("{}\n".format(problem))
-            return
-        made = document.ActiveObject
-        if not made.isValid() and runner.last_was_cancelled:
-            document.abortTransaction()
-            return
-        document.commitTransaction()
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(made)
-        if made.isValid():
-            FreeCADGui.getMainWindow().statusBar().showMessage("{}: {}".format(made.Label, report.summary(made)), 10000)
+        make(translate("StarCell", self.operation.title),
+             ("from starcell_workbench import macros, {}".format(_module_name(self.operation)),
+              "macros.from_selection({}.{}, [{}])".format(_module_name(self.operation), self.operation.__name__, names)), report.summary)
+
+
+def make(title, lines, said):
+    """Runs the macro lines that make one object, as one step to undo, and selects it; said(object) goes to the status bar."""
+    document = FreeCAD.ActiveDocument
+    document.openTransaction(title)
+    try:
+        for line in lines:  # through the interpreter, so that the macro recorder writes it down
+            FreeCADGui.doCommand(line)
+    except Exception as problem:
+        document.abortTransaction()
+        FreeCAD.Console.PrintError("{}\n".format(problem))
+        return
+    made = document.ActiveObject
+    if not made.isValid() and runner.last_was_cancelled:
+        document.abortTransaction()
+        return
+    document.commitTransaction()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(made)
+    if made.isValid():
+        FreeCADGui.getMainWindow().statusBar().showMessage("{}: {}".format(made.Label, said(made)), 10000)
 
 
 def selected():

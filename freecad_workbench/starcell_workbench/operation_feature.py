@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import FreeCAD
 
 from . import engine, mesh_transfer, operands, report, runner, settings
+from .stateless import Stateless
 from .translation import QT_TRANSLATE_NOOP, translate
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8  # FreeCAD's property attributes
@@ -37,7 +38,7 @@ class Parameter:
     default: object = None
 
 
-class OperationFeature:
+class OperationFeature(Stateless):
     # What a subclass says of itself.
     command = ""    # name of the command, of its icon, and start of the objects' names after "StarCell_"
     title = ""      # menu text and first label
@@ -172,17 +173,6 @@ class OperationFeature:
             from .operation_view import OperationView
 
             OperationView(obj.ViewObject)
-
-    # FreeCAD 0.20 calls the first pair, newer versions the second.
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    dumps = __getstate__
-    loads = __setstate__
 
 
 def recompute(obj):

@@ -2,12 +2,13 @@
 import FreeCADGui
 
 from . import crease_lines, resources
+from .stateless import Stateless
 
 WARNING_COLOR = (1.0, 0.60, 0.0)
 HIDDEN = 4
 
 
-class OperationView:
+class OperationView(Stateless):
     def __init__(self, vobj):
         # The colour to return to when a result is resolved again.
         vobj.addProperty("App::PropertyColor", "PlainColor", "StarCell", "", HIDDEN)
@@ -65,17 +66,6 @@ class OperationView:
         for each in vobj.Object.Proxy.linked(vobj.Object):
             each.Visibility = True
         return True
-
-    # All state is in properties. FreeCAD 0.20 calls the first pair, newer versions the second.
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    dumps = __getstate__
-    loads = __setstate__
 
 
 def _same(color, other):

@@ -2,7 +2,7 @@
 import FreeCAD
 import FreeCADGui
 
-from . import commands, resources, runner
+from . import commands, resources
 from .solid_feature import ToSolid
 from .translation import translate
 
@@ -22,26 +22,10 @@ class ToSolidCommand:
             title = translate("StarCell", ToSolid.title)
             FreeCAD.Console.PrintError(translate("StarCell", "{}: select one mesh first.").format(title) + "\n")
             return
-        document = FreeCAD.ActiveDocument
-        document.openTransaction(translate("StarCell", ToSolid.title))
-        try:
-            # Through the interpreter, so that the macro recorder writes it down.
-            FreeCADGui.doCommand("from starcell_workbench import macros")
-            FreeCADGui.doCommand("macros.make_solid(FreeCAD.ActiveDocument.getObject({!r}))".format(picked.Name))
-        except Exception as problem:
-            document.abortTransaction()
-            FreeCAD.Console.PrintError("{}\n".format(problem))
-            return
-        made = document.ActiveObject
-        if not made.isValid() and runner.last_was_cancelled:
-            document.abortTransaction()
-            return
-        document.commitTransaction()
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(made)
-        if made.isValid():
-            text = translate("StarCell", "{}: a solid of {} faces").format(made.Label, made.Faces)
-            FreeCADGui.getMainWindow().statusBar().showMessage(text, 10000)
+        commands.make(translate("StarCell", ToSolid.title),
+                      ("from starcell_workbench import macros",
+                       "macros.make_solid(FreeCAD.ActiveDocument.getObject({!r}))".format(picked.Name)),
+                      lambda made: translate("StarCell", "a solid of {} faces").format(made.Faces))
 
     @staticmethod
     def _picked():

@@ -15,6 +15,7 @@ import Part
 
 from . import engine, mesh_transfer, operands, runner
 from .operation_feature import HIDDEN, OUTPUT, READ_ONLY
+from .stateless import Stateless
 from .translation import QT_TRANSLATE_NOOP, translate
 
 # FreeCAD's meshes hold single precision: points of one plane lie off it by a few roundings of their largest coordinate.
@@ -22,7 +23,7 @@ ROUNDING = 2.0 ** -22
 MANY_TRIANGLES = 20000  # as faces they keep FreeCAD busy for long
 
 
-class ToSolid:
+class ToSolid(Stateless):
     command = "StarCell_ToSolid"
     title = QT_TRANSLATE_NOOP("StarCell", "To solid")
     help = QT_TRANSLATE_NOOP("StarCell", "Makes a Part solid of a closed mesh; its planar regions become single faces")
@@ -96,17 +97,6 @@ class ToSolid:
             from .solid_view import SolidView
 
             SolidView(obj.ViewObject)
-
-    # FreeCAD 0.20 calls the first pair, newer versions the second.
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    dumps = __getstate__
-    loads = __setstate__
 
 
 def _cad_module():

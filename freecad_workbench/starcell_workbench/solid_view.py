@@ -1,8 +1,9 @@
 """How a solid made of a mesh shows itself: its icon, and the mesh as its child."""
 from . import resources
+from .stateless import Stateless
 
 
-class SolidView:
+class SolidView(Stateless):
     def __init__(self, vobj):
         vobj.Proxy = self
 
@@ -19,14 +20,3 @@ class SolidView:
         for each in self.claimChildren():
             each.Visibility = True
         return True
-
-    # All state is in properties. FreeCAD 0.20 calls the first pair, newer versions the second.
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    dumps = __getstate__
-    loads = __setstate__
