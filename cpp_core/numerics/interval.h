@@ -45,9 +45,17 @@ class Interval : public interval_detail::Bare {
   Interval(const interval_detail::Bare& x) : interval_detail::Bare(x) {}
 };
 
-/// Alive while interval arithmetic is done; restores the previous rounding mode.
+/// Alive while interval arithmetic is done; restores the previous rounding mode. Boost's sqrt() and median() set a mode
+/// themselves, and leave it so: square_root() and middle() are used instead.
 class Rounding {
-  interval_detail::Safe::traits_type::rounding mode_;
+ public:
+  Rounding();
+  ~Rounding();
+  Rounding(const Rounding&) = delete;
+  Rounding& operator=(const Rounding&) = delete;
+
+ private:
+  unsigned before_;
 };
 
 /// -1, +1, or 0 for "don't know".

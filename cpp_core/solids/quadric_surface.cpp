@@ -54,6 +54,22 @@ Expansion QuadricSurface::expand(const Vec3& center, const Vec3& reach) const {
   return e;
 }
 
+// 2 (A d + b) . u at the centre, and as much as 2 A u changes it over the box.
+Interval QuadricSurface::slope_along(const Vec3& center, const Vec3& reach, const Vec3& u) const {
+  const Vec3 d = center - origin_, size = d.cwiseAbs(), u_size = u.cwiseAbs();
+  const Vec3 a_u_size = a_.cwiseAbs() * u_size;   // A is symmetric: the terms' sizes on either side
+  const double at = 2 * u.dot(a_ * d + b_);
+  const double lost = loss * 2 * (size.dot(a_u_size) + b_.cwiseAbs().dot(u_size)) + (1 + loss) * 2 * u_size.sum() * (a_radius_ * size.sum() + b_radius_);
+  const double bend = 2 * (reach.dot((a_ * u).cwiseAbs()) + loss * reach.dot(a_u_size) + (1 + loss) * a_radius_ * reach.sum() * u_size.sum());
+  return around(at, (1 + loss) * (lost + bend));
+}
+
+double QuadricSurface::value(const Vec3& x, Vec3* gradient) const {
+  const Vec3 d = x - origin_, half = a_ * d + b_;
+  if (gradient) *gradient = 2 * half;
+  return d.dot(half + b_) + c_;
+}
+
 SmoothSurfacePtr QuadricSurface::translated(const Vec3& by) const {
   auto moved = std::make_shared<QuadricSurface>(*this);
   moved->origin_ += by;

@@ -15,6 +15,8 @@ class QuadricSurface final : public SmoothSurface {
                  std::optional<RoundShape> shape = std::nullopt);
 
   Expansion expand(const Vec3& center, const Vec3& reach) const override;
+  Interval slope_along(const Vec3& center, const Vec3& reach, const Vec3& u) const override;
+  double value(const Vec3& x, Vec3* gradient) const override;
   SmoothSurfacePtr translated(const Vec3& by) const override;
   std::optional<RoundShape> round_shape() const override { return shape_; }
   double least_slope() const override { return least_slope_; }

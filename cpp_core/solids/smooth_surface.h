@@ -59,6 +59,8 @@ class SmoothSurface {
 
   /// Needs a Rounding object.
   virtual Expansion expand(const Vec3& center, const Vec3& reach) const = 0;
+  /// The derivative along u over the box, as the expansion has it or narrower. Needs a Rounding object.
+  virtual Interval slope_along(const Vec3& center, const Vec3& reach, const Vec3& u) const { return expand(center, reach).along(u); }
   virtual std::shared_ptr<const SmoothSurface> translated(const Vec3& by) const = 0;
   virtual std::optional<RoundShape> round_shape() const { return std::nullopt; }
   /// A lower bound of |grad F| on the surface, certified; 0: not known.
@@ -67,7 +69,7 @@ class SmoothSurface {
   /// The sign of F at a point, or 0 for "don't know".
   int sign(const Vec3& x) const;
   /// F and its gradient to rounding: proposals, no proof.
-  double value(const Vec3& x, Vec3* gradient = nullptr) const;
+  virtual double value(const Vec3& x, Vec3* gradient = nullptr) const;
 };
 
 using SmoothSurfacePtr = std::shared_ptr<const SmoothSurface>;

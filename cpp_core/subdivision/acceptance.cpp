@@ -328,11 +328,12 @@ bool Acceptance::accept_complex(const CellProblem& problem, const Box3& box, Lea
 Leaf Acceptance::give_up(CellProblem& problem) const {
   Leaf leaf;
   leaf.resolved = false;
+  RimLines rims(restriction_, problem);
   for (int side = 0; side < 6; ++side) {
     const Face face = face_of(problem.cell, side);
     std::optional<std::vector<Arc>> arcs;
     if (problem.has_regions(restriction_.table())) {
-      if (const auto patches = Patches::of(restriction_, problem)) arcs = star_face(restriction_, problem, *patches, face, settings_.error, statistics_);
+      if (const auto patches = Patches::of(restriction_, problem)) arcs = star_face(restriction_, *patches, rims, face, settings_.error, statistics_);
     } else if (problem.slots() <= max_slots)
       arcs = trace_face(restriction_, problem, problem.facets, face, settings_.pull, LocalPlanes(), statistics_);
     leaf.arcs[side] = arcs ? std::move(*arcs) : force_face(restriction_, problem, face);

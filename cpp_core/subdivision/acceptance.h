@@ -46,7 +46,7 @@ class Acceptance {
   bool accept_thin(const CellProblem& problem, const Box3& box, const LocalPlanes& local, Leaf& leaf) const;
   bool accept_patches(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   Sheet class_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, const Box3& box) const;
-  bool near_enough(const Sheet& sheet, const Loop& loop, const Box3& box) const;
+  bool near_enough(Sheet& sheet, const Loop& loop, const Box3& box) const;
   bool trace_faces(const CellProblem& problem, const LocalPlanes& local, Leaf& leaf) const;
   bool small_enough(const Box3& box) const;
   bool worth_isolating(const std::vector<std::uint32_t>& surfaces, const Box3& box) const;

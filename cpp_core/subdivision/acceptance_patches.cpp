@@ -24,7 +24,8 @@ bool on_class(const Patches& patches, const PatchClass& c, const Crossing& x) {
 
 }  // namespace
 
-bool Acceptance::near_enough(const Sheet& sheet, const Loop& loop, const Box3& box) const {
+// Keeps the apex that was found: contouring will want one.
+bool Acceptance::near_enough(Sheet& sheet, const Loop& loop, const Box3& box) const {
   std::vector<Vec3> polygon;
   std::vector<Sway> sways;
   for (const LoopArc& a : loop) {
@@ -39,6 +40,8 @@ bool Acceptance::near_enough(const Sheet& sheet, const Loop& loop, const Box3& b
   }
   const double margin = std::min(2 * restriction_.grid().step, box.sizes().x() / 16);
   const GraphFan fan = graph_fan(restriction_.table(), box, sheet, polygon, sways, 0, margin);
+  sheet.apex = fan.apex;
+  sheet.low = fan.flat_bound;
   return fan.bound <= fan_share * settings_.error;
 }
 
@@ -72,8 +75,9 @@ bool Acceptance::accept_patches(const CellProblem& problem, const Box3& box, Lea
   }
   std::vector<Sheet> shapes;
   for (std::size_t k = 0; k < classes->size(); ++k) shapes.push_back(class_sheet(*patches, (*classes)[k], directions[k], box));
+  RimLines rims(restriction_, problem);
   for (int side = 0; side < 6; ++side) {
-    auto arcs = star_face(restriction_, problem, *patches, face_of(problem.cell, side), settings_.error, statistics_);
+    auto arcs = star_face(restriction_, *patches, rims, face_of(problem.cell, side), settings_.error, statistics_);
     if (!arcs) return false;
     leaf.arcs[side] = std::move(*arcs);
   }

@@ -7,7 +7,7 @@
 namespace starcell {
 
 std::vector<Arc> force_face(const Restriction& restriction, const CellProblem& problem, const Face& face) {
-  const std::vector<Flip> around = *rim_flips(restriction, problem, face, false);
+  const std::vector<Flip> around = *RimLines(restriction, problem).around(face, false);
   const Grid& grid = restriction.grid();
   std::vector<Arc> arcs;
   for (std::size_t k = 0; k < around.size(); ++k) {

@@ -5,7 +5,6 @@
 
 #include "subdivision/face_join.h"
 #include "subdivision/graph_shape.h"
-#include "subdivision/rim.h"
 
 namespace starcell {
 namespace {
@@ -25,9 +24,8 @@ struct End {
 
 class FaceStar {
  public:
-  FaceStar(const Restriction& restriction, const CellProblem& problem, const Patches& patches, double error, Statistics& statistics)
-      : restriction_(restriction), table_(restriction.table()), grid_(restriction.grid()), problem_(problem), patches_(patches), error_(error),
-        statistics_(statistics) {}
+  FaceStar(const Restriction& restriction, const Patches& patches, RimLines& rims, double error, Statistics& statistics)
+      : table_(restriction.table()), grid_(restriction.grid()), patches_(patches), rims_(rims), error_(error), statistics_(statistics) {}
 
   std::optional<std::vector<Arc>> trace(const Face& face, int splits) {
     const Box3 box(grid_.point(face.corner(0, 0)), grid_.point(face.corner(1, 1)));
@@ -50,7 +48,7 @@ class FaceStar {
       if (!u) return std::nullopt;
       directions.push_back(*u);
     }
-    const auto flips = rim_flips(restriction_, problem_, face);
+    const auto flips = rims_.around(face);
     if (!flips) return std::nullopt;
     std::vector<std::vector<End>> ends(classes.size());
     for (const Flip& flip : *flips) {
@@ -203,20 +201,19 @@ class FaceStar {
     return join_arcs(std::move(parts), &grid_);
   }
 
-  const Restriction& restriction_;
   const FacetTable& table_;
   const Grid& grid_;
-  const CellProblem& problem_;
   const Patches& patches_;
+  RimLines& rims_;
   const double error_;
   Statistics& statistics_;
 };
 
 }  // namespace
 
-std::optional<std::vector<Arc>> star_face(const Restriction& restriction, const CellProblem& problem, const Patches& patches,
-                                          const Face& face, double error, Statistics& statistics) {
-  return FaceStar(restriction, problem, patches, error, statistics).trace(face, 0);
+std::optional<std::vector<Arc>> star_face(const Restriction& restriction, const Patches& patches, RimLines& rims, const Face& face,
+                                          double error, Statistics& statistics) {
+  return FaceStar(restriction, patches, rims, error, statistics).trace(face, 0);
 }
 
 }  // namespace starcell

@@ -10,13 +10,14 @@
 #include <optional>
 
 #include "subdivision/patch_view.h"
+#include "subdivision/rim.h"
 #include "subdivision/statistics.h"
 #include "subdivision/trace.h"
 
 namespace starcell {
 
-/// `error`: what arcs may deviate at most; infinite: topology only, sways are not looked at.
-std::optional<std::vector<Arc>> star_face(const Restriction& restriction, const CellProblem& problem, const Patches& patches,
-                                          const Face& face, double error, Statistics& statistics);
+/// The rims are those of the cell's edges. `error`: what arcs may deviate at most; infinite: topology only, sways are not looked at.
+std::optional<std::vector<Arc>> star_face(const Restriction& restriction, const Patches& patches, RimLines& rims, const Face& face,
+                                          double error, Statistics& statistics);
 
 }  // namespace starcell

@@ -25,6 +25,9 @@ struct Surface {
   double distance(const Vec3& p) const { return std::abs(normal.dot(p) - offset); }
   /// Needs a Rounding object.
   Expansion expand(const Vec3& center, const Vec3& reach) const;
+  Interval slope_along(const Vec3& center, const Vec3& reach, const Vec3& u) const {
+    return form ? form->slope_along(center, reach, u) : dot(enclose(normal), u);
+  }
   /// Its function and gradient to rounding: proposals, no proof.
   double value(const Vec3& x, Vec3* gradient = nullptr) const;
 };

@@ -16,72 +16,84 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int pieces = 4;
 constexpr int most_parts = 2;
 constexpr double much_better = 0.7;
+// Of the room: what deviates no more than this is not looked at more closely.
+constexpr double good_share = 0.25;
 
 Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
 
-// An expansion over a box whose middle is rounded: a little more than the box. Needs a Rounding object.
-Expansion over(const Surface& surface, const Box3& box) {
+// A box whose middle and sizes may be rounded: a little more than the box.
+Box3 padded(const Box3& box) {
   const double rounded = 1e-15 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  return surface.expand(box.center(), 0.5 * box.sizes() + Vec3::Constant(rounded));
+  return inflated(box, Vec3::Constant(rounded));
 }
 
-// The smallest lift at which E's logic says what is wanted, given the lifts from which each patch is certainly passed.
-double least_lift(const std::vector<double>& passed, const std::vector<double>& senses, std::uint64_t value, bool outside) {
-  const std::size_t n = passed.size();
-  std::vector<double> steps = passed;
-  steps.push_back(0);
-  std::sort(steps.begin(), steps.end());
-  for (const double lift : steps) {
-    if (std::isinf(lift)) break;
-    bool holds = true;
-    for (std::size_t a = 0; a < std::size_t{1} << n && holds; ++a) {
-      bool possible = true;   // may the lifted piece be on these sides?
-      for (std::size_t k = 0; k < n && possible; ++k)
-        if (passed[k] <= lift) possible = ((a >> k & 1) != 0) == ((senses[k] > 0) != outside);
-      holds = !possible || ((value >> a & 1) != 0) != outside;
-    }
-    if (holds) return lift;
-  }
-  return infinity;
+// Needs a Rounding object.
+Expansion over(const Surface& surface, const Box3& box) {
+  const Box3 around = padded(box);
+  return surface.expand(around.center(), 0.5 * around.sizes());
 }
+
+// A value per surface of a class.
+template <class T>
+using PerSurface = std::array<T, max_class>;
+
+// A segment or a triangle.
+struct Piece {
+  std::array<Vec3, 3> corners;
+  std::size_t size;
+
+  Piece(const Vec3& p, const Vec3& q) : corners{p, q, q}, size(2) {}
+  Piece(const Vec3& p, const Vec3& q, const Vec3& r) : corners{p, q, r}, size(3) {}
+  Box3 box() const {
+    Box3 box(corners[0]);
+    return box.extend(corners[1]).extend(corners[2]);
+  }
+};
 
 class Graph {
  public:
-  Graph(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const std::vector<double>& senses, std::uint64_t value, const Vec3& u,
+  Graph(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const std::vector<int>& senses, std::uint64_t value, const Vec3& u,
         double room)
-      : senses_(senses), value_(value), u_(u), room_(room) {
-    for (const std::uint32_t id : surfaces) surfaces_.push_back(&table.surfaces[id]);
+      : n_(surfaces.size()), senses_(senses), value_(value), u_(u), room_(room), good_(good_share * room) {
+    for (std::size_t k = 0; k < n_; ++k) surfaces_[k] = &table.surfaces[surfaces[k]];
   }
 
+  using Heights = PerSurface<Interval>;
+
   // F at a point, turned as E is, per surface.
-  std::vector<Interval> heights(const Vec3& p) const {
+  Heights heights(const Vec3& p) const {
     const Rounding rounding;
-    std::vector<Interval> result;
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) result.push_back(senses_[k] * surfaces_[k]->expand(p, Vec3::Zero()).value);
+    Heights result;
+    for (std::size_t k = 0; k < n_; ++k) result[k] = sense(k) * surfaces_[k]->expand(p, Vec3::Zero()).value;
     return result;
   }
 
-  // The deviation of a piece with these corners; infinite beyond the room. Slopes are those that the lift sweeps: the less it is
-  // lifted, the less they vary.
-  double deviation(const std::vector<const std::vector<Interval>*>& heights, const std::vector<Vec3>& corners) const {
-    const Box3 box = box_around(corners);
-    std::vector<Interval> above, below;   // how far F may be from where the piece has passed it
+  // What is no more than this need not be known better.
+  double good() const { return good_; }
+
+  // The deviation of a piece with these heights at its corners; infinite beyond the room. Slopes are those that the lift sweeps:
+  // the less it is lifted, the less they vary.
+  double deviation(const std::array<const Heights*, 3>& heights, const Piece& piece) const {
+    const Box3 box = piece.box();
+    PerSurface<double> above, below;   // how far F may be from where the piece has passed it
     {
       const Rounding rounding;
-      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      for (std::size_t k = 0; k < n_; ++k) {
         const Expansion e = over(*surfaces_[k], box);
-        const Interval excess = senses_[k] * (corners.size() == 3 ? e.excess(corners[0], corners[1], corners[2]) : e.excess(corners[0], corners[1]));
+        const auto& [p, q, r] = piece.corners;
+        const Interval excess = sense(k) * (piece.size == 3 ? e.excess(p, q, r) : e.excess(p, q));
         double least = infinity, most = -infinity;
-        for (const auto* height : heights) {
-          least = std::min(least, (*height)[k].lower());
-          most = std::max(most, (*height)[k].upper());
+        for (std::size_t i = 0; i < piece.size; ++i) {
+          least = std::min(least, (*heights[i])[k].lower());
+          most = std::max(most, (*heights[i])[k].upper());
         }
-        above.push_back(Interval(excess.upper()) - least);
-        below.push_back(Interval(most) - excess.lower());
+        above[k] = (Interval(excess.upper()) - least).upper();
+        below[k] = (Interval(most) - excess.lower()).upper();
       }
     }
     for (const double share : {0.2, 0.45, 1.0}) {
-      const double lift = lift_within(share * room_, corners, above, below);
+      double lift = lift_within(share * room_, piece, above, below, most_parts);
+      if (lift > std::min(share * room_, good_)) lift = lift_within(share * room_, piece, above, below, 0);
       if (lift <= share * room_) return lift;
     }
     return infinity;
@@ -94,12 +106,20 @@ class Graph {
     const bool any = sway.along.isZero(0.0);
     const double aside = gap + sway.by * (any ? 1.0 : sway.along.cross(u_).norm() + 1e-12);
     const double at_end = gap + sway.by * (any ? 1.0 : std::abs(sway.along.dot(u_)) + 1e-12);
+    const double whole = beside(p, q, apart, at_end, aside, 1);
+    return whole <= good_ ? whole : beside(p, q, apart, at_end, aside, pieces);
+  }
+
+ private:
+  Interval sense(std::size_t k) const { return static_cast<double>(senses_[k]); }
+
+  double beside(const Vec3& p, const Vec3& q, double apart, double at_end, double aside, int parts) const {
     double farthest = 0;
-    for (int piece = 0; piece < pieces; ++piece) {
-      const Vec3 from = p + (q - p) * (static_cast<double>(piece) / pieces), to = p + (q - p) * (static_cast<double>(piece + 1) / pieces);
+    for (int part = 0; part < parts; ++part) {
+      const Vec3 from = p + (q - p) * (static_cast<double>(part) / parts), to = p + (q - p) * (static_cast<double>(part + 1) / parts);
       double height = infinity;
       for (double reach = std::max(apart, at_end); reach <= 2 * room_ && std::isinf(height); reach *= 1.4) {
-        const double steep = steepness(inflated(box_around({from, to}), Vec3::Constant(aside) + reach * u_.cwiseAbs()));
+        const double steep = steepness(inflated(Piece(from, to).box(), Vec3::Constant(aside) + reach * u_.cwiseAbs()));
         const double most = std::max({apart, at_end, 0.5 * (apart + at_end + steep * aside)});
         if (most <= reach) height = most;
       }
@@ -108,48 +128,62 @@ class Graph {
     return farthest;
   }
 
- private:
-  static Box3 box_around(const std::vector<Vec3>& points) {
-    Box3 box;
-    for (const Vec3& p : points) box.extend(p);
-    return box;
-  }
-
-  double lift_within(double room, const std::vector<Vec3>& corners, const std::vector<Interval>& above, const std::vector<Interval>& below) const {
-    std::vector<double> up, down;
+  // `depth`: how often the piece counts as halved already.
+  double lift_within(double room, const Piece& piece, const PerSurface<double>& above, const PerSurface<double>& below, int depth) const {
+    PerSurface<double> up, down;
     {
       const Rounding rounding;
-      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-        const Interval slope(least_slope(k, room, corners, 0));
+      for (std::size_t k = 0; k < n_; ++k) {
+        const Interval slope(least_slope(k, room, piece, depth));
         if (certain_sign(slope) <= 0) return infinity;
-        up.push_back(std::max(0.0, (above[k] / slope).upper()));
-        down.push_back(std::max(0.0, (below[k] / slope).upper()));
+        up[k] = std::max(0.0, (Interval(above[k]) / slope).upper());
+        down[k] = std::max(0.0, (Interval(below[k]) / slope).upper());
       }
     }
-    return std::max(least_lift(up, senses_, value_, true), least_lift(down, senses_, value_, false));
+    return std::max(least_lift(up, true), least_lift(down, false));
+  }
+
+  // The smallest lift at which E's logic says what is wanted, given the lifts from which each patch is certainly passed.
+  double least_lift(const PerSurface<double>& passed, bool outside) const {
+    PerSurface<double> steps;
+    steps.fill(infinity);
+    std::copy_n(passed.begin(), n_, steps.begin());
+    std::sort(steps.begin(), steps.end());
+    double lift = 0;
+    for (std::size_t step = 0; step <= n_; ++step) {
+      if (std::isinf(lift)) break;
+      bool holds = true;
+      for (std::size_t a = 0; a < std::size_t{1} << n_ && holds; ++a) {
+        bool possible = true;   // may the lifted piece be on these sides?
+        for (std::size_t k = 0; k < n_ && possible; ++k)
+          if (passed[k] <= lift) possible = ((a >> k & 1) != 0) == ((senses_[k] > 0) != outside);
+        holds = !possible || ((value_ >> a & 1) != 0) != outside;
+      }
+      if (holds) return lift;
+      if (step < n_) lift = steps[step];
+    }
+    return infinity;
   }
 
   // Along u, where a piece is lifted to; large pieces in parts. Needs a Rounding object.
-  double least_slope(std::size_t k, double room, const std::vector<Vec3>& corners, int depth) const {
-    const Box3 box = inflated(box_around(corners), room * u_.cwiseAbs());
-    const Expansion e = over(*surfaces_[k], box);
-    const Interval slope = e.along(senses_[k] * u_);
+  double least_slope(std::size_t k, double room, const Piece& piece, int depth) const {
+    const Box3 box = padded(inflated(piece.box(), room * u_.cwiseAbs()));
+    const Interval slope = surfaces_[k]->slope_along(box.center(), 0.5 * box.sizes(), senses_[k] * u_);
     if (depth >= most_parts || slope.upper() <= 0 || slope.lower() > 0.7 * slope.upper()) return slope.lower();
-    double least = infinity;
-    const std::size_t n = corners.size();
-    std::vector<Vec3> middles;
-    for (std::size_t i = 0; i < (n == 3 ? 3 : 1); ++i) middles.push_back(0.5 * (corners[i] + corners[(i + 1) % n]));
-    if (n == 2) return std::min(least_slope(k, room, {corners[0], middles[0]}, depth + 1), least_slope(k, room, {middles[0], corners[1]}, depth + 1));
-    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, least_slope(k, room, {corners[i], middles[i], middles[(i + 2) % 3]}, depth + 1));
-    return std::min(least, least_slope(k, room, middles, depth + 1));
+    const auto& [p, q, r] = piece.corners;
+    const Vec3 pq = 0.5 * (p + q);
+    if (piece.size == 2) return std::min(least_slope(k, room, {p, pq}, depth + 1), least_slope(k, room, {pq, q}, depth + 1));
+    const Vec3 qr = 0.5 * (q + r), rp = 0.5 * (r + p);
+    return std::min({least_slope(k, room, {p, pq, rp}, depth + 1), least_slope(k, room, {q, qr, pq}, depth + 1),
+                     least_slope(k, room, {r, rp, qr}, depth + 1), least_slope(k, room, {pq, qr, rp}, depth + 1)});
   }
 
   double steepness(const Box3& box) const {
     const Rounding rounding;
     double steepest = 0;
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    for (std::size_t k = 0; k < n_; ++k) {
       const Expansion e = over(*surfaces_[k], box);
-      const Interval3 normal = Interval(senses_[k]) * e.slope;
+      const Interval3 normal = sense(k) * e.slope;
       const Interval along = e.along(senses_[k] * u_);
       if (certain_sign(along) <= 0) return infinity;
       steepest = std::max(steepest, (norm(normal - along * enclose(u_)) / Interval(along.lower())).upper());
@@ -157,11 +191,12 @@ class Graph {
     return steepest;
   }
 
-  std::vector<const Surface*> surfaces_;
-  const std::vector<double> senses_;
+  const std::size_t n_;
+  PerSurface<const Surface*> surfaces_;
+  const std::vector<int>& senses_;
   const std::uint64_t value_;
   const Vec3 u_;
-  const double room_;
+  const double room_, good_;
 };
 
 // Do all triangles of the fan face u?
@@ -194,25 +229,22 @@ std::vector<Vec3> seeing_places(const FacetTable& table, const Sheet& sheet, con
   return places;
 }
 
-std::vector<double> as_doubles(const std::vector<int>& senses) { return {senses.begin(), senses.end()}; }
-
-}  // namespace
-
-double room_around(double size, double error) { return std::min(0.75 * error, 0.5 * size); }
-
-Vec3 common_place(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis) {
+// Newton's method: every time the shortest step on which the linearised surfaces all vanish.
+template <class Rows>
+Vec3 place_on(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis) {
+  const auto n = static_cast<Eigen::Index>(surfaces.size());
+  Rows gradients(n, 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Rows::MaxRowsAtCompileTime, 1> values(n);
   Vec3 x = start;
   for (int step = 0; step < 6; ++step) {
-    Eigen::MatrixXd gradients(surfaces.size(), 3);
-    Eigen::VectorXd values(surfaces.size());
-    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    for (Eigen::Index k = 0; k < n; ++k) {
       Vec3 g;
-      values[static_cast<Eigen::Index>(k)] = table.surfaces[surfaces[k]].value(x, &g);
+      values[k] = table.surfaces[surfaces[static_cast<std::size_t>(k)]].value(x, &g);
       if (flat_axis >= 0) g[flat_axis] = 0;
-      gradients.row(static_cast<Eigen::Index>(k)) = g;
+      gradients.row(k) = g;
     }
-    // The shortest step on which the linearised surfaces all vanish.
-    const Vec3 by = gradients.completeOrthogonalDecomposition().solve(values);
+    const Vec3 by = n == 1 ? Vec3(values[0] / gradients.row(0).squaredNorm() * gradients.row(0).transpose())
+                           : Vec3(gradients.completeOrthogonalDecomposition().solve(values));
     if (!by.allFinite()) break;
     x -= by;
     if (by.norm() <= 1e-15 * x.norm()) break;
@@ -220,13 +252,24 @@ Vec3 common_place(const FacetTable& table, const std::vector<std::uint32_t>& sur
   return x;
 }
 
+}  // namespace
+
+double room_around(double size, double error) { return std::min(0.75 * error, 0.5 * size); }
+
+Vec3 common_place(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis) {
+  // Three rows and no heap where that is enough.
+  using Few = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
+  if (surfaces.size() <= 3) return place_on<Few>(table, surfaces, start, flat_axis);
+  return place_on<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(table, surfaces, start, flat_axis);
+}
+
 double segment_deviation(const FacetTable& table, const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p,
                          const Vec3& q) {
   std::vector<std::uint32_t> surfaces;
   for (const std::size_t k : c.patches) surfaces.push_back(patches.surface(k));
-  const Graph graph(table, surfaces, as_doubles(c.sense), c.value, u, room);
-  const std::vector<Interval> at_p = graph.heights(p), at_q = graph.heights(q);
-  return graph.deviation({&at_p, &at_q}, {p, q});
+  const Graph graph(table, surfaces, c.sense, c.value, u, room);
+  const Graph::Heights at_p = graph.heights(p), at_q = graph.heights(q);
+  return graph.deviation({&at_p, &at_q, &at_q}, {p, q});
 }
 
 Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, double room) {
@@ -247,24 +290,15 @@ Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, do
 GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop, const std::vector<Sway>& sways,
                    double gap, double margin) {
   const Vec3& u = sheet.direction;
-  const double room = sheet.high;
-  const Graph graph(table, sheet.surfaces, as_doubles(sheet.graph->senses), sheet.graph->value, u, room);
+  const Graph graph(table, sheet.surfaces, sheet.graph->senses, sheet.graph->value, u, sheet.high);
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
-  std::vector<std::vector<Interval>> rim;
+  std::vector<Graph::Heights> rim;
+  rim.reserve(loop.size());
   for (const Vec3& p : loop) rim.push_back(graph.heights(p));
 
-  std::vector<Vec3> proposals;
-  if (sheet.surfaces.size() <= 3) proposals.push_back(common_place(table, sheet.surfaces, centroid));
-  if (sheet.surfaces.size() > 1)
-    for (const std::uint32_t surface : sheet.surfaces) proposals.push_back(common_place(table, {surface}, centroid));
-  if (sheet.surfaces.size() > 2)
-    for (std::size_t i = 0; i < sheet.surfaces.size(); ++i)
-      for (std::size_t j = i + 1; j < sheet.surfaces.size(); ++j)
-        proposals.push_back(common_place(table, {sheet.surfaces[i], sheet.surfaces[j]}, centroid));
-  const Box3 inside(cell.min() + Vec3::Constant(margin), cell.max() - Vec3::Constant(margin));
   const auto deviation_below = [&](const Vec3& apex, double enough) {
-    const std::vector<Interval> at_apex = graph.heights(apex);
+    const Graph::Heights at_apex = graph.heights(apex);
     double deviation = 0;
     for (std::size_t k = 0; k < loop.size() && deviation < enough; ++k) {
       const std::size_t next = (k + 1) % loop.size();
@@ -272,13 +306,30 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
     }
     return deviation;
   };
+  const Box3 inside(cell.min() + Vec3::Constant(margin), cell.max() - Vec3::Constant(margin));
   GraphFan best{centroid, infinity};
-  for (Vec3 apex : proposals) {
+  const auto propose = [&](const std::vector<std::uint32_t>& surfaces) {
+    if (best.bound <= graph.good()) return;
+    Vec3 apex = common_place(table, surfaces, centroid);
     apex = apex.allFinite() ? Vec3(apex.cwiseMax(inside.min()).cwiseMin(inside.max())) : centroid;
     // The first is on all surfaces, so creases stay sharp and triangles stay on planes: others have to be much better.
     const double enough = std::isinf(best.bound) ? infinity : much_better * best.bound;
     const double deviation = deviation_below(apex, enough);
     if (deviation < enough) best = {apex, deviation};
+  };
+  // The apex that the leaf was accepted with still serves, unless neighbours changed the loop much.
+  if (sheet.low > 0 && unfolded(loop, sheet.apex, u)) {
+    const double known = 1.1 * sheet.low + gap, deviation = deviation_below(sheet.apex, known);
+    if (deviation < known) best = {sheet.apex, deviation};
+  }
+  if (std::isinf(best.bound)) {
+    const auto& on = sheet.surfaces;
+    if (on.size() <= 3) propose(on);
+    if (on.size() > 1)
+      for (const std::uint32_t surface : on) propose({surface});
+    if (on.size() > 2)
+      for (std::size_t i = 0; i < on.size(); ++i)
+        for (std::size_t j = i + 1; j < on.size(); ++j) propose({on[i], on[j]});
   }
   // A fan that folds is as near, but it looks wrong: an apex that sees its whole loop may be a little farther off.
   if (std::isfinite(best.bound) && !unfolded(loop, best.apex, u))
@@ -289,6 +340,7 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
       best = {apex, deviation};
       break;
     }
+  best.flat_bound = best.bound;
   double farthest = best.bound;
   for (std::size_t k = 0; k < loop.size() && std::isfinite(farthest); ++k)
     if (sways[k].by + gap > 0) farthest = std::max(farthest, graph.beside(loop[k], loop[(k + 1) % loop.size()], best.bound, sways[k], gap));

@@ -32,7 +32,8 @@ struct Sway {
 
 struct GraphFan {
   Vec3 apex = Vec3::Zero();
-  double bound = 0;
+  double bound = 0;        ///< of the distance between E's part and the fan
+  double flat_bound = 0;   ///< of the triangles' own deviation, without the loop's
 };
 
 /// The best of a few fans over the loop, for a sheet of shape `graph`. `sways`: per segment; `gap`: how far the polygon was moved besides.

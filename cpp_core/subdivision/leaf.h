@@ -41,7 +41,7 @@ struct Sheet {
     corner,   ///< on planes through one point `apex` of the cell: the fan from it is E
     flats,    ///< exactly these flat parts
     slab,     ///< a graph over the plane across `direction`, between heights low and high
-    graph,    ///< seen along `direction` on its `surfaces`, with room of `high` around it: subdivision/graph_shape.h
+    graph,    ///< seen along `direction` on its `surfaces`, with room of `high` around it; `apex` serves with a deviation of `low`
     loose,    ///< no more is known than that it lies in the cell
   };
   Shape shape = Shape::loose;

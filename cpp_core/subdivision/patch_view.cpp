@@ -9,7 +9,6 @@ namespace starcell {
 namespace {
 
 constexpr std::size_t max_mixed = 8;
-constexpr std::size_t max_class = 6;
 // How often a box is halved to find out what of it a surface reaches.
 constexpr int max_halvings = 2;
 

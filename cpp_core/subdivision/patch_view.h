@@ -17,9 +17,11 @@
 
 namespace starcell {
 
+constexpr std::size_t max_class = 6;
+
 /// Patches that may meet each other and bound E, and E's part on them.
 struct PatchClass {
-  std::vector<std::size_t> patches;     ///< indices into Patches; at most 6
+  std::vector<std::size_t> patches;     ///< indices into Patches; at most max_class
   std::vector<int> sense;               ///< +1: E's outward normal is F's gradient, -1: turned
   std::uint64_t value = 0;              ///< bit a: inside for the class's sides a (bit i: negative side of patches[i])
 };

@@ -209,35 +209,40 @@ class Side {
 
 }  // namespace
 
-std::optional<std::vector<Flip>> rim_flips(const Restriction& restriction, const CellProblem& problem, const Face& face, bool certain) {
+const RimLines::Line& RimLines::line(int axis, const GridPoint& from, std::uint32_t size) {
+  for (const Line& known : lines_)
+    if (known.axis == axis && known.from == from && known.size == size) return known;
+  Line line{axis, from, size, true, {}};
+  const std::vector<Event> events = Side(restriction_, problem_, {axis, from, size}).events(line.sure);
+  std::vector<char> inside = restriction_.membership_at(problem_, from);
+  bool value = value_of(problem_.expression, inside);
+  for (const Event& e : events) {
+    for (const std::size_t slot : e.slots) inside[slot] ^= 1;
+    const bool next = value_of(problem_.expression, inside);
+    if (next != value) line.flips.push_back({e.crossing, e.low, e.high, next, 0});
+    value = next;
+  }
+  // What was toggled along the line has to be what its far end says.
+  GridPoint to = from;
+  to[axis] += size;
+  line.sure = line.sure && inside == restriction_.membership_at(problem_, to);
+  return lines_.emplace_back(std::move(line));
+}
+
+std::optional<std::vector<Flip>> RimLines::around(const Face& face, bool certain) {
   std::vector<Flip> around;
   // Counter-clockwise: bottom and right upwards, top and left downwards.
   for (const int side : {2, 1, 3, 0}) {
     const GridPoint low = side < 2 ? face.corner(side, 0) : face.corner(0, side - 2);
-    const int axis = side < 2 ? face.c_axis() : face.b_axis();
-    bool sure = true;
-    const std::vector<Event> events = Side(restriction, problem, {axis, low, face.size}).events(sure);
-    if (certain && !sure) return std::nullopt;
-    std::vector<char> inside = restriction.membership_at(problem, low);
-    bool value = value_of(problem.expression, inside);
-    std::vector<Flip> flips;
-    for (const Event& e : events) {
-      for (const std::size_t slot : e.slots) inside[slot] ^= 1;
-      const bool next = value_of(problem.expression, inside);
-      if (next != value) flips.push_back({e.crossing, e.low, e.high, next, side});
-      value = next;
+    const Line& line = this->line(side < 2 ? face.c_axis() : face.b_axis(), low, face.size);
+    if (certain && !line.sure) return std::nullopt;
+    const std::size_t before = around.size();
+    for (Flip flip : line.flips) {
+      flip.side = side;
+      if (side == 3 || side == 0) flip.enters = !flip.enters;
+      around.push_back(flip);
     }
-    if (certain) {
-      // What was toggled along the side has to be what the far corner says.
-      GridPoint high = low;
-      high[axis] += face.size;
-      if (inside != restriction.membership_at(problem, high)) return std::nullopt;
-    }
-    if (side == 3 || side == 0) {
-      std::reverse(flips.begin(), flips.end());
-      for (Flip& f : flips) f.enters = !f.enters;
-    }
-    around.insert(around.end(), flips.begin(), flips.end());
+    if (side == 3 || side == 0) std::reverse(around.begin() + static_cast<std::ptrdiff_t>(before), around.end());
   }
   return around;
 }

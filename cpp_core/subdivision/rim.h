@@ -21,7 +21,27 @@ struct Flip {
   int side = 0;               ///< 0: b low, 1: b high, 2: c low, 3: c high
 };
 
-/// All flips around the square, beginning at its lower corner. `certain` false: the best guess instead of none.
-std::optional<std::vector<Flip>> rim_flips(const Restriction& restriction, const CellProblem& problem, const Face& face, bool certain = true);
+/// The flips along grid lines of one cell, found once for both faces beside each of its edges.
+class RimLines {
+ public:
+  RimLines(const Restriction& restriction, const CellProblem& problem) : restriction_(restriction), problem_(problem) {}
+
+  /// All flips around the square, beginning at its lower corner. `certain` false: the best guess instead of none.
+  std::optional<std::vector<Flip>> around(const Face& face, bool certain = true);
+
+ private:
+  struct Line {
+    int axis;
+    GridPoint from;
+    std::uint32_t size;
+    bool sure;                 ///< the flips are certain
+    std::vector<Flip> flips;   ///< in ascending order
+  };
+  const Line& line(int axis, const GridPoint& from, std::uint32_t size);
+
+  const Restriction& restriction_;
+  const CellProblem& problem_;
+  std::vector<Line> lines_;
+};
 
 }  // namespace starcell

@@ -1,4 +1,4 @@
-#include "numerics/interval.h"
+#include "numerics/interval_algebra.h"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(Interval, ProductsThatAreNotExactHaveTwoBounds) {
 TEST(Interval, DivisionAndRootEncloseWithoutBeingExact) {
   const Rounding rounding;
   const double one = hidden(1), three = hidden(3), two = hidden(2);
-  const Interval third = Interval(one) / Interval(three), root = sqrt(Interval(two));
+  const Interval third = Interval(one) / Interval(three), root = square_root(Interval(two));
   EXPECT_LT(third.lower(), third.upper());
   EXPECT_TRUE(boost::numeric::in(1.0, third * Interval(three)));
   EXPECT_TRUE(boost::numeric::in(2.0, root * root));
