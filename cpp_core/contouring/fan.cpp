@@ -127,7 +127,7 @@ class FanMaker {
   Fan graph() const {
     std::vector<Vec3> points;
     for (const std::uint32_t v : loop_.vertices) points.push_back(vertices_[v]);
-    const GraphFan best = graph_fan(table_, cell_, sheet_, points, loop_.sways, loop_.gap, margin_);
+    const GraphFan best = graph_fan(cell_, sheet_, points, loop_.sways, loop_.gap, margin_);
     return with_apex(best.apex, best.bound);
   }
 
@@ -205,10 +205,20 @@ class FanMaker {
   // Nothing but the cell holds them together.
   Fan anything() {
     Fan fan;
-    fan.apex = clamped(sheet_.surfaces.empty() ? error_minimiser() : common_place(table_, sheet_.surfaces, centroid_));
+    fan.apex = clamped(sheet_.surfaces.empty() ? error_minimiser() : on_surfaces());
     if (!fan.apex.allFinite()) fan.apex = clamped(centroid_);
     fan.bound = cell_.diagonal().norm();
     return fan;
+  }
+
+  Vec3 on_surfaces() const {
+    std::vector<const Surface*> surfaces;
+    for (const std::uint32_t id : sheet_.surfaces) surfaces.push_back(&table_.surfaces[id]);
+    if (sheet_.graph) {
+      surfaces.clear();
+      for (const auto& surface : sheet_.graph->surfaces) surfaces.push_back(surface.get());
+    }
+    return common_place(surfaces, centroid_);
   }
 
   // Least squares over the planes along the loop, pulled to its centroid where they leave freedom (Ju et al. 2002).

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "numerics/interval_algebra.h"
 
@@ -62,6 +63,15 @@ class SmoothSurface {
   /// The derivative along u over the box, as the expansion has it or narrower. Needs a Rounding object.
   virtual Interval slope_along(const Vec3& center, const Vec3& reach, const Vec3& u) const { return expand(center, reach).along(u); }
   virtual std::shared_ptr<const SmoothSurface> translated(const Vec3& by) const = 0;
+  /// The same function in the box, as seen from what is near: a surface made of many pieces drops those that cannot matter there.
+  /// Null: this one serves.
+  virtual std::shared_ptr<const SmoothSurface> restricted(const Box3&) const { return nullptr; }
+  /// In the box it was restricted to: functions the least of which it is (`least_of_parts`) or the greatest; none: it is one piece,
+  /// or too many.
+  virtual std::vector<std::shared_ptr<const SmoothSurface>> parts() const { return {}; }
+  virtual bool least_of_parts() const { return true; }
+  /// May it be looked at as a patch of a cell? Otherwise the cell has to be smaller.
+  virtual bool simple() const { return true; }
   virtual std::optional<RoundShape> round_shape() const { return std::nullopt; }
   /// A lower bound of |grad F| on the surface, certified; 0: not known.
   virtual double least_slope() const { return 0; }

@@ -18,9 +18,7 @@ namespace {
 // The sheet's own arcs tell what contouring will draw: what it moves them by for float32 is small beside this reserve.
 constexpr double fan_share = 0.95;
 
-bool on_class(const Patches& patches, const PatchClass& c, const Crossing& x) {
-  return std::find(c.patches.begin(), c.patches.end(), patches.index_of(x.surface)) != c.patches.end();
-}
+bool on_class(const PatchClass& c, const Crossing& x) { return std::find(c.patches.begin(), c.patches.end(), x.patch) != c.patches.end(); }
 
 }  // namespace
 
@@ -39,7 +37,7 @@ bool Acceptance::near_enough(Sheet& sheet, const Loop& loop, const Box3& box) co
     sways.resize(polygon.size(), {a.arc->sway, a.arc->along});
   }
   const double margin = std::min(2 * restriction_.grid().step, box.sizes().x() / 16);
-  const GraphFan fan = graph_fan(restriction_.table(), box, sheet, polygon, sways, 0, margin);
+  const GraphFan fan = graph_fan(box, sheet, polygon, sways, 0, margin);
   sheet.apex = fan.apex;
   sheet.low = fan.flat_bound;
   return fan.bound <= fan_share * settings_.error;
@@ -47,10 +45,9 @@ bool Acceptance::near_enough(Sheet& sheet, const Loop& loop, const Box3& box) co
 
 // A class of planes through one point is the cone over its trace; any other a graph. Small cells need no bound but their size.
 Sheet Acceptance::class_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, const Box3& box) const {
-  const FacetTable& table = restriction_.table();
   std::vector<std::uint32_t> planes;
   for (const std::size_t k : c.patches)
-    if (!table.surfaces[patches.surface(k)].form) planes.push_back(patches.surface(k));
+    if (!patches.at(k).form) planes.push_back(patches.surface(k));
   if (planes.size() == c.patches.size()) {
     std::sort(planes.begin(), planes.end());
     if (auto sheet = concurrent_sheet(restriction_, box, planes, {})) return std::move(*sheet);
@@ -63,7 +60,7 @@ bool Acceptance::accept_patches(const CellProblem& problem, const Box3& box, Lea
   const FacetTable& table = restriction_.table();
   const auto patches = Patches::of(restriction_, problem);
   if (!patches) return false;
-  const PatchView view(table, *patches, box);
+  const PatchView view(*patches, box);
   if (view.constant()) return true;
   const auto classes = view.classes();
   if (!classes) return false;
@@ -88,7 +85,7 @@ bool Acceptance::accept_patches(const CellProblem& problem, const Box3& box, Lea
   for (const Loop& loop : *loops) {
     std::size_t k = 0;
     while (k < classes->size() && !std::all_of(loop.begin(), loop.end(), [&](const LoopArc& a) {
-             return on_class(*patches, (*classes)[k], a.arc->start) && on_class(*patches, (*classes)[k], a.arc->end);
+             return on_class((*classes)[k], a.arc->start) && on_class((*classes)[k], a.arc->end);
            }))
       ++k;
     if (k == classes->size()) return false;

@@ -16,20 +16,40 @@ std::uint32_t Restriction::slot_of(const CellProblem& problem, std::uint32_t fac
   return static_cast<std::uint32_t>(std::lower_bound(solids.begin(), solids.end(), operand) - solids.begin());
 }
 
-bool Restriction::region_contains(std::uint32_t operand, const Vec3& x) const {
-  const Region& region = table_.region(operand);
-  const Rounding rounding;
-  const Interval value = table_.surfaces[region.surface].expand(x, Vec3::Zero()).value;
-  if (certain_sign(value) == 0) grazes_.store(true, std::memory_order_relaxed);
-  return (middle(value) < 0) != region.complement;
+const SmoothSurface* Restriction::form_of(const CellProblem& problem, std::size_t slot) const {
+  if (!problem.forms.empty() && problem.forms[slot]) return problem.forms[slot].get();
+  return table_.surfaces[table_.region(problem.expression.solids()[slot]).surface].form.get();
 }
 
-State Restriction::region_state(std::uint32_t operand, const Box3& box) const {
-  const Region& region = table_.region(operand);
+// Most surfaces are as good everywhere: `forms` stays empty where all are.
+void Restriction::restrict_forms(CellProblem& problem, const CellProblem* parent, const Box3& box) const {
+  for (std::size_t slot = 0; slot < problem.slots(); ++slot) {
+    if (!table_.is_region(problem.expression.solids()[slot])) continue;
+    const SmoothSurface* form = form_of(parent ? *parent : problem, slot);
+    SmoothSurfacePtr here = form ? form->restricted(box) : nullptr;
+    if (!here && (!parent || parent->forms.empty() || !parent->forms[slot])) continue;
+    problem.forms.resize(problem.slots());
+    problem.forms[slot] = here ? std::move(here) : parent->forms[slot];
+  }
+}
+
+Expansion Restriction::expand(const CellProblem& problem, std::size_t slot, const Vec3& center, const Vec3& reach) const {
+  const SmoothSurface* form = form_of(problem, slot);
+  return form ? form->expand(center, reach) : table_.surfaces[table_.region(problem.expression.solids()[slot]).surface].expand(center, reach);
+}
+
+bool Restriction::region_contains(const CellProblem& problem, std::size_t slot, const Vec3& x) const {
   const Rounding rounding;
-  const int sign = certain_sign(table_.surfaces[region.surface].expand(box.center(), 0.5 * box.sizes()).range());
+  const Interval value = expand(problem, slot, x, Vec3::Zero()).value;
+  if (certain_sign(value) == 0) grazes_.store(true, std::memory_order_relaxed);
+  return (middle(value) < 0) != table_.region(problem.expression.solids()[slot]).complement;
+}
+
+State Restriction::region_state(const CellProblem& problem, std::size_t slot, const Box3& box) const {
+  const Rounding rounding;
+  const int sign = certain_sign(expand(problem, slot, box.center(), 0.5 * box.sizes()).range());
   if (sign == 0) return State::mixed;
-  return (sign < 0) != region.complement ? State::inside : State::outside;
+  return (sign < 0) != table_.region(problem.expression.solids()[slot]).complement ? State::inside : State::outside;
 }
 
 CellProblem Restriction::root(const LocalExpression& expression) const {
@@ -38,10 +58,11 @@ CellProblem Restriction::root(const LocalExpression& expression) const {
   problem.expression = expression;
   problem.at_lower.assign(expression.solids().size(), 0);
   const Box3 box = box_of(grid_, problem.cell);
+  restrict_forms(problem, nullptr, box);
   for (std::size_t slot = 0; slot < expression.solids().size(); ++slot) {
     const std::uint32_t operand = expression.solids()[slot];
     if (table_.is_region(operand)) {
-      problem.at_lower[slot] = region_contains(operand, box.min());
+      problem.at_lower[slot] = region_contains(problem, slot, box.min());
       continue;
     }
     for (std::uint32_t f = table_.first[operand]; f < table_.first[operand + 1]; ++f) {
@@ -62,8 +83,8 @@ void Restriction::simplify(CellProblem& problem) const {
   std::size_t at = 0;
   const Box3 box = box_of(grid_, problem.cell);
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    if (const std::uint32_t operand = problem.expression.solids()[slot]; table_.is_region(operand)) {
-      states[slot] = region_state(operand, box);
+    if (table_.is_region(problem.expression.solids()[slot])) {
+      states[slot] = region_state(problem, slot, box);
       fold = fold || states[slot] != State::mixed;
       continue;
     }
@@ -88,11 +109,13 @@ void Restriction::simplify(CellProblem& problem) const {
   LocalExpression next = problem.expression.simplified(states);
   // Solids can also vanish without being constant themselves: an inside union operand makes its siblings irrelevant.
   std::vector<char> at_lower;
+  std::vector<SmoothSurfacePtr> forms;
   std::vector<std::uint32_t> facets;
   std::size_t old_slot = 0;
   for (const std::uint32_t solid : next.solids()) {
     while (problem.expression.solids()[old_slot] != solid) ++old_slot;
     at_lower.push_back(problem.at_lower[old_slot]);
+    if (!problem.forms.empty()) forms.push_back(problem.forms[old_slot]);
     if (table_.is_region(solid)) continue;
     const auto first = std::lower_bound(problem.facets.begin(), problem.facets.end(), table_.first[solid]);
     const auto last = std::lower_bound(first, problem.facets.end(), table_.first[solid + 1]);
@@ -100,6 +123,7 @@ void Restriction::simplify(CellProblem& problem) const {
   }
   problem.facets = std::move(facets);
   problem.at_lower = std::move(at_lower);
+  problem.forms = std::move(forms);
   problem.expression = std::move(next);
 }
 
@@ -110,6 +134,7 @@ std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) cons
     result[i].cell = parent.cell.child(i);
     result[i].expression = parent.expression;
     boxes[i] = box_of(grid_, result[i].cell);
+    restrict_forms(result[i], &parent, boxes[i]);
   }
   const std::size_t slots = parent.slots();
   // The children's lower corners are reached from the parent's by seven segments: 0-1, then 0-2 and 1-3, then 0..3 up.
@@ -148,8 +173,8 @@ std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) cons
     }
   }
   for (std::size_t k = 0; k < slots; ++k) {
-    if (const std::uint32_t operand = parent.expression.solids()[k]; table_.is_region(operand)) {
-      for (int i = 0; i < 8; ++i) result[i].at_lower.push_back(i == 0 ? parent.at_lower[k] : region_contains(operand, boxes[i].min()));
+    if (table_.is_region(parent.expression.solids()[k])) {
+      for (int i = 0; i < 8; ++i) result[i].at_lower.push_back(i == 0 ? parent.at_lower[k] : region_contains(result[i], k, boxes[i].min()));
       continue;
     }
     std::array<char, 8> inside{};
@@ -179,7 +204,7 @@ std::vector<char> Restriction::membership_at(const CellProblem& problem, const G
     at[axis] = target[axis];
   }
   for (std::size_t slot = 0; slot < problem.slots(); ++slot)
-    if (const std::uint32_t operand = problem.expression.solids()[slot]; table_.is_region(operand)) inside[slot] = region_contains(operand, target);
+    if (table_.is_region(problem.expression.solids()[slot])) inside[slot] = region_contains(problem, slot, target);
   return inside;
 }
 

@@ -21,6 +21,7 @@ struct CellProblem {
   std::vector<std::uint32_t> facets;
   LocalExpression expression;
   std::vector<char> at_lower;   ///< per slot: is the lower corner inside that solid
+  std::vector<SmoothSurfacePtr> forms;   ///< per slot: a region's surface as restricted to the cell; null, or empty: the table's
 
   std::size_t slots() const { return expression.solids().size(); }
   bool empty(const FacetTable& table) const { return facets.empty() && !has_regions(table); }
@@ -50,10 +51,8 @@ class Restriction {
   template <class Skip>
   std::optional<Membership> mask_near(const CellProblem& problem, const Vec3& x, double margin, Skip skip) const;
 
-  /// Is the point inside the region? Where that is not certain the grid is said to graze.
-  bool region_contains(std::uint32_t operand, const Vec3& x) const;
-  /// What is known of a region in a box.
-  State region_state(std::uint32_t operand, const Box3& box) const;
+  /// A region's surface as the cell has it; null: a plane.
+  const SmoothSurface* form_of(const CellProblem& problem, std::size_t slot) const;
   /// Did a grid point lie on a region's surface, as far as can be told? Another grid has to be tried.
   bool grid_grazes() const { return grazes_.load(std::memory_order_relaxed); }
 
@@ -62,6 +61,12 @@ class Restriction {
 
  private:
   void simplify(CellProblem& problem) const;
+  void restrict_forms(CellProblem& problem, const CellProblem* parent, const Box3& box) const;
+  Expansion expand(const CellProblem& problem, std::size_t slot, const Vec3& center, const Vec3& reach) const;
+  /// Is the point inside the region? Where that is not certain the grid is said to graze.
+  bool region_contains(const CellProblem& problem, std::size_t slot, const Vec3& x) const;
+  /// What is known of a region in a box.
+  State region_state(const CellProblem& problem, std::size_t slot, const Box3& box) const;
   /// 1 if the segment from the grid point p to x crosses the facet, 0 if not, -1 if that is degenerate.
   int segment_crosses_facet(std::uint32_t facet, const Vec3& p, const Vec3& x) const;
   /// Is x certainly farther than margin from the facet's plane, or from the facet?

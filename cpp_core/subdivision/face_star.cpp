@@ -25,11 +25,11 @@ struct End {
 class FaceStar {
  public:
   FaceStar(const Restriction& restriction, const Patches& patches, RimLines& rims, double error, Statistics& statistics)
-      : table_(restriction.table()), grid_(restriction.grid()), patches_(patches), rims_(rims), error_(error), statistics_(statistics) {}
+      : grid_(restriction.grid()), patches_(patches), rims_(rims), error_(error), statistics_(statistics) {}
 
   std::optional<std::vector<Arc>> trace(const Face& face, int splits) {
     const Box3 box(grid_.point(face.corner(0, 0)), grid_.point(face.corner(1, 1)));
-    const PatchView view(table_, patches_, box);
+    const PatchView view(patches_, box);
     if (view.constant()) return std::vector<Arc>{};
     if (const auto classes = view.classes())
       if (auto arcs = pair(face, view, *classes)) {
@@ -52,18 +52,28 @@ class FaceStar {
     if (!flips) return std::nullopt;
     std::vector<std::vector<End>> ends(classes.size());
     for (const Flip& flip : *flips) {
-      const std::size_t patch = patches_.index_of(flip.crossing.surface);
-      const auto at = std::find_if(classes.begin(), classes.end(), [&](const PatchClass& c) {
-        return std::find(c.patches.begin(), c.patches.end(), patch) != c.patches.end();
-      });
-      if (at == classes.end()) return std::nullopt;
-      const auto k = static_cast<std::size_t>(at - classes.begin());
-      ends[k].push_back(end_of(flip, patch, face, directions[k]));
+      const Crossing& x = flip.crossing;
+      const auto vanishing = patches_.vanishing(x.surface, x.axis, flip.low, flip.high, place_of(x, grid_));
+      // The one class with a patch that the flip can be on.
+      std::size_t at = classes.size(), on = max_patches;
+      for (std::size_t k = 0; k < classes.size(); ++k)
+        for (const std::size_t patch : classes[k].patches)
+          if (std::find(vanishing.begin(), vanishing.end(), patch) != vanishing.end()) {
+            if (at != classes.size() && at != k) return std::nullopt;
+            at = k;
+            on = on == max_patches ? patch : nearer(place_of(x, grid_), on, patch);
+          }
+      if (at == classes.size()) return std::nullopt;
+      ends[at].push_back(end_of(flip, on, face, directions[at]));
     }
     std::vector<Arc> arcs;
     for (std::size_t k = 0; k < classes.size(); ++k)
       if (!pair_class(face, classes[k], directions[k], ends[k], arcs)) return std::nullopt;
     return arcs;
+  }
+
+  std::size_t nearer(const Vec3& p, std::size_t k, std::size_t l) const {
+    return std::abs(patches_.at(l).value(p)) < std::abs(patches_.at(k).value(p)) ? l : k;
   }
 
   // Arcs run with the solid on their right, seen from +axis: so that u, which leaves it, is on their left.
@@ -103,12 +113,14 @@ class FaceStar {
     Arc arc;
     arc.start = start.flip->crossing;
     arc.end = end.flip->crossing;
+    arc.start.patch = static_cast<std::uint8_t>(start.patch);
+    arc.end.patch = static_cast<std::uint8_t>(end.patch);
     const Vec3 p = place_of(start.flip->crossing, grid_), q = place_of(end.flip->crossing, grid_);
     arc.surfaces = {plane_or_none(start.patch)};
     arc.along = u;
     const Vec3 t = forward(face, u);
     if (start.patch != end.patch) {
-      const Vec3 corner = common_place(table_, {patches_.surface(start.patch), patches_.surface(end.patch)}, 0.5 * (p + q), face.axis);
+      const Vec3 corner = common_place({&patches_.at(start.patch), &patches_.at(end.patch)}, 0.5 * (p + q), face.axis);
       const bool between = t.dot(corner - p) > 1e-9 * (q - p).norm() && t.dot(q - corner) > 1e-9 * (q - p).norm();
       if (between && inside(face, corner)) {
         arc.bends.push_back(corner);
@@ -119,7 +131,7 @@ class FaceStar {
     }
     if (arc.bends.empty() && start.flip->side == end.flip->side) {
       // A chord would lie on the edge: bend it to where the curve is farthest from it, or about there.
-      Vec3 bend = common_place(table_, {patches_.surface(start.patch)}, 0.5 * (p + q), face.axis);
+      Vec3 bend = common_place({&patches_.at(start.patch)}, 0.5 * (p + q), face.axis);
       if (!inside(face, bend)) {
         const int across = start.flip->side < 2 ? face.b_axis() : face.c_axis();
         bend = 0.5 * (p + q);
@@ -133,8 +145,7 @@ class FaceStar {
   }
 
   std::uint32_t plane_or_none(std::size_t patch) const {
-    const std::uint32_t surface = patches_.surface(patch);
-    return table_.surfaces[surface].form ? no_surface : surface;
+    return patches_.at(patch).form ? no_surface : patches_.surface(patch);
   }
 
   bool inside(const Face& face, const Vec3& p) const {
@@ -171,7 +182,7 @@ class FaceStar {
     const Vec3 t = forward(face, u);
     std::optional<Vec3> best;
     for (const std::size_t k : c.patches) {
-      const Vec3 bend = common_place(table_, {patches_.surface(k)}, 0.5 * (p + q), face.axis);
+      const Vec3 bend = common_place({&patches_.at(k)}, 0.5 * (p + q), face.axis);
       if (!inside(face, bend) || !(t.dot(bend - p) > 0.1 * t.dot(q - p)) || !(t.dot(q - bend) > 0.1 * t.dot(q - p))) continue;
       if (!best || (bend - 0.5 * (p + q)).norm() < (*best - 0.5 * (p + q)).norm()) best = bend;
     }
@@ -184,7 +195,7 @@ class FaceStar {
     Vec3 from = p;
     for (std::size_t k = 0; k <= bends.size(); ++k) {
       const Vec3& to = k < bends.size() ? bends[k] : q;
-      sway = std::max(sway, segment_deviation(table_, patches_, c, u, room, from, to));
+      sway = std::max(sway, segment_deviation(patches_, c, u, room, from, to));
       from = to;
     }
     return sway;
@@ -201,7 +212,6 @@ class FaceStar {
     return join_arcs(std::move(parts), &grid_);
   }
 
-  const FacetTable& table_;
   const Grid& grid_;
   const Patches& patches_;
   RimLines& rims_;

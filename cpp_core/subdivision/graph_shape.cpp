@@ -52,10 +52,9 @@ struct Piece {
 
 class Graph {
  public:
-  Graph(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const std::vector<int>& senses, std::uint64_t value, const Vec3& u,
-        double room)
+  Graph(const std::vector<const Surface*>& surfaces, const std::vector<int>& senses, std::uint64_t value, const Vec3& u, double room)
       : n_(surfaces.size()), senses_(senses), value_(value), u_(u), room_(room), good_(good_share * room) {
-    for (std::size_t k = 0; k < n_; ++k) surfaces_[k] = &table.surfaces[surfaces[k]];
+    std::copy(surfaces.begin(), surfaces.end(), surfaces_.begin());
   }
 
   using Heights = PerSurface<Interval>;
@@ -207,7 +206,7 @@ bool unfolded(const std::vector<Vec3>& loop, const Vec3& apex, const Vec3& u) {
 }
 
 // Points on the sheet's surfaces over the deepest point of the kernel of the loop's shadow, found by the small linear program.
-std::vector<Vec3> seeing_places(const FacetTable& table, const Sheet& sheet, const std::vector<Vec3>& loop, const Box3& inside) {
+std::vector<Vec3> seeing_places(const Sheet& sheet, const std::vector<Vec3>& loop, const Box3& inside) {
   std::vector<Vec3> normals, places;
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Vec3 outward = (loop[(k + 1) % loop.size()] - loop[k]).cross(sheet.direction);
@@ -216,11 +215,11 @@ std::vector<Vec3> seeing_places(const FacetTable& table, const Sheet& sheet, con
   }
   const auto seen = deepest_point(normals, loop, inside);
   if (!seen) return {};
-  for (const std::uint32_t surface : sheet.surfaces) {
+  for (const auto& surface : sheet.graph->surfaces) {
     Vec3 x = *seen;
     for (int step = 0; step < 6; ++step) {   // Newton's method along the direction
       Vec3 gradient;
-      const double value = table.surfaces[surface].value(x, &gradient), slope = gradient.dot(sheet.direction);
+      const double value = surface->value(x, &gradient), slope = gradient.dot(sheet.direction);
       if (slope == 0) break;
       x -= value / slope * sheet.direction;
     }
@@ -231,7 +230,7 @@ std::vector<Vec3> seeing_places(const FacetTable& table, const Sheet& sheet, con
 
 // Newton's method: every time the shortest step on which the linearised surfaces all vanish.
 template <class Rows>
-Vec3 place_on(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis) {
+Vec3 place_on(const std::vector<const Surface*>& surfaces, const Vec3& start, int flat_axis) {
   const auto n = static_cast<Eigen::Index>(surfaces.size());
   Rows gradients(n, 3);
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Rows::MaxRowsAtCompileTime, 1> values(n);
@@ -239,7 +238,7 @@ Vec3 place_on(const FacetTable& table, const std::vector<std::uint32_t>& surface
   for (int step = 0; step < 6; ++step) {
     for (Eigen::Index k = 0; k < n; ++k) {
       Vec3 g;
-      values[k] = table.surfaces[surfaces[static_cast<std::size_t>(k)]].value(x, &g);
+      values[k] = surfaces[static_cast<std::size_t>(k)]->value(x, &g);
       if (flat_axis >= 0) g[flat_axis] = 0;
       gradients.row(k) = g;
     }
@@ -256,18 +255,17 @@ Vec3 place_on(const FacetTable& table, const std::vector<std::uint32_t>& surface
 
 double room_around(double size, double error) { return std::min(0.75 * error, 0.5 * size); }
 
-Vec3 common_place(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis) {
+Vec3 common_place(const std::vector<const Surface*>& surfaces, const Vec3& start, int flat_axis) {
   // Three rows and no heap where that is enough.
   using Few = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
-  if (surfaces.size() <= 3) return place_on<Few>(table, surfaces, start, flat_axis);
-  return place_on<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(table, surfaces, start, flat_axis);
+  if (surfaces.size() <= 3) return place_on<Few>(surfaces, start, flat_axis);
+  return place_on<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(surfaces, start, flat_axis);
 }
 
-double segment_deviation(const FacetTable& table, const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p,
-                         const Vec3& q) {
-  std::vector<std::uint32_t> surfaces;
-  for (const std::size_t k : c.patches) surfaces.push_back(patches.surface(k));
-  const Graph graph(table, surfaces, c.sense, c.value, u, room);
+double segment_deviation(const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p, const Vec3& q) {
+  std::vector<const Surface*> surfaces;
+  for (const std::size_t k : c.patches) surfaces.push_back(&patches.at(k));
+  const Graph graph(surfaces, c.sense, c.value, u, room);
   const Graph::Heights at_p = graph.heights(p), at_q = graph.heights(q);
   return graph.deviation({&at_p, &at_q, &at_q}, {p, q});
 }
@@ -280,6 +278,7 @@ Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, do
   GraphLogic logic;
   for (std::size_t i = 0; i < c.patches.size(); ++i) {
     sheet.surfaces.push_back(patches.surface(c.patches[i]));
+    logic.surfaces.push_back(patches.here(c.patches[i]));
     logic.senses.push_back(c.sense[i]);
   }
   logic.value = c.value;
@@ -287,10 +286,11 @@ Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, do
   return sheet;
 }
 
-GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop, const std::vector<Sway>& sways,
-                   double gap, double margin) {
+GraphFan graph_fan(const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop, const std::vector<Sway>& sways, double gap, double margin) {
   const Vec3& u = sheet.direction;
-  const Graph graph(table, sheet.surfaces, sheet.graph->senses, sheet.graph->value, u, sheet.high);
+  std::vector<const Surface*> on;
+  for (const auto& surface : sheet.graph->surfaces) on.push_back(surface.get());
+  const Graph graph(on, sheet.graph->senses, sheet.graph->value, u, sheet.high);
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
   std::vector<Graph::Heights> rim;
@@ -308,9 +308,9 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
   };
   const Box3 inside(cell.min() + Vec3::Constant(margin), cell.max() - Vec3::Constant(margin));
   GraphFan best{centroid, infinity};
-  const auto propose = [&](const std::vector<std::uint32_t>& surfaces) {
+  const auto propose = [&](const std::vector<const Surface*>& surfaces) {
     if (best.bound <= graph.good()) return;
-    Vec3 apex = common_place(table, surfaces, centroid);
+    Vec3 apex = common_place(surfaces, centroid);
     apex = apex.allFinite() ? Vec3(apex.cwiseMax(inside.min()).cwiseMin(inside.max())) : centroid;
     // The first is on all surfaces, so creases stay sharp and triangles stay on planes: others have to be much better.
     const double enough = std::isinf(best.bound) ? infinity : much_better * best.bound;
@@ -323,17 +323,16 @@ GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet
     if (deviation < known) best = {sheet.apex, deviation};
   }
   if (std::isinf(best.bound)) {
-    const auto& on = sheet.surfaces;
     if (on.size() <= 3) propose(on);
     if (on.size() > 1)
-      for (const std::uint32_t surface : on) propose({surface});
+      for (const Surface* surface : on) propose({surface});
     if (on.size() > 2)
       for (std::size_t i = 0; i < on.size(); ++i)
         for (std::size_t j = i + 1; j < on.size(); ++j) propose({on[i], on[j]});
   }
   // A fan that folds is as near, but it looks wrong: an apex that sees its whole loop may be a little farther off.
   if (std::isfinite(best.bound) && !unfolded(loop, best.apex, u))
-    for (const Vec3& apex : seeing_places(table, sheet, loop, inside)) {
+    for (const Vec3& apex : seeing_places(sheet, loop, inside)) {
       const double enough = best.bound / much_better + 1e-15;
       const double deviation = unfolded(loop, apex, u) ? deviation_below(apex, enough) : infinity;
       if (!(deviation < enough)) continue;

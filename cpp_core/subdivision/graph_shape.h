@@ -21,7 +21,7 @@ namespace starcell {
 
 /// A bound on the distance along u between E's part of the class and the segment p q, infinite if none is
 /// found within the room.
-double segment_deviation(const FacetTable& table, const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p,
+double segment_deviation(const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p,
                          const Vec3& q);
 
 /// How E's loop lies about a segment of A's polygon: within `by`, along a direction (zero: any).
@@ -37,7 +37,7 @@ struct GraphFan {
 };
 
 /// The best of a few fans over the loop, for a sheet of shape `graph`. `sways`: per segment; `gap`: how far the polygon was moved besides.
-GraphFan graph_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop,
+GraphFan graph_fan(const Box3& cell, const Sheet& sheet, const std::vector<Vec3>& loop,
                    const std::vector<Sway>& sways, double gap, double margin);
 
 /// The sheet of a class that u sees in its cell.
@@ -47,6 +47,6 @@ Sheet graph_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, do
 double room_around(double size, double error);
 
 /// A point near `start` on all the given surfaces (three at most), by Newton's method: a proposal.
-Vec3 common_place(const FacetTable& table, const std::vector<std::uint32_t>& surfaces, const Vec3& start, int flat_axis = -1);
+Vec3 common_place(const std::vector<const Surface*>& surfaces, const Vec3& start, int flat_axis = -1);
 
 }  // namespace starcell

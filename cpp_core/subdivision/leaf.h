@@ -29,6 +29,7 @@ struct FlatPart {
 /// E's logic on the surfaces of a graph: their senses (+1: E's outward normal is the function's gradient), and membership
 /// (bit a of `value`) for the sides a that a point is on (bit i: negative side of surface i).
 struct GraphLogic {
+  std::vector<std::shared_ptr<const Surface>> surfaces;   ///< as the cell has them
   std::vector<int> senses;
   std::uint64_t value = 0;
 };

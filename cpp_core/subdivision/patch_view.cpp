@@ -14,12 +14,12 @@ constexpr int max_halvings = 2;
 
 }  // namespace
 
-PatchView::PatchView(const FacetTable& table, const Patches& patches, const Box3& box) : table_(table), patches_(patches), box_(box) {
+PatchView::PatchView(const Patches& patches, const Box3& box) : patches_(patches), box_(box) {
   const Vec3 center = box.center(), reach = 0.5 * box.sizes();
   expansions_.reserve(patches.size());
   const Rounding rounding;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    expansions_.push_back(table.surfaces[patches.surface(k)].expand(center, reach));
+    expansions_.push_back(patches.at(k).expand(center, reach));
     const int sign = certain_sign(expansions_[k].range());
     if (sign == 0) mixed_.push_back(k);
     if (sign < 0) fixed_ |= Sides{1} << k;
@@ -195,7 +195,7 @@ bool PatchView::sees(const PatchClass& c, const Vec3& u) const {
 // Only the slopes on the surface matter: a line along n that leaves the negative side wherever it crosses, crosses once. Parts
 // of the box that the surface does not reach are left out.
 bool PatchView::faces(std::size_t patch, const Vec3& n, const Box3& box, int depth) const {
-  const Surface& surface = table_.surfaces[patches_.surface(patch)];
+  const Surface& surface = patches_.at(patch);
   const Vec3 low = box.min(), middle = box.center(), half = 0.5 * box.sizes();
   for (int part = 0; part < 8; ++part) {
     Vec3 corner = low;
@@ -222,7 +222,7 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
     if (g.norm() > 0) sum += g.normalized();
   };
   for (std::size_t i = 0; i < c.patches.size(); ++i) {
-    const Surface& surface = table_.surfaces[patches_.surface(c.patches[i])];
+    const Surface& surface = patches_.at(c.patches[i]);
     Vec3 g, at = box_.center();
     const double value = surface.value(at, &g);
     if (surface.form && g.squaredNorm() > 0) {

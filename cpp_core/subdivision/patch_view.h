@@ -28,7 +28,7 @@ struct PatchClass {
 
 class PatchView {
  public:
-  PatchView(const FacetTable& table, const Patches& patches, const Box3& box);
+  PatchView(const Patches& patches, const Box3& box);
 
   /// Certainly the same membership everywhere?
   bool constant() const;
@@ -53,7 +53,6 @@ class PatchView {
 
   bool faces(std::size_t patch, const Vec3& n, const Box3& box, int depth) const;
 
-  const FacetTable& table_;
   const Patches& patches_;
   const Box3 box_;
   std::vector<Expansion> expansions_;

@@ -4,16 +4,48 @@
 
 namespace starcell {
 
-std::size_t Patches::index_of(std::uint32_t surface) const {
-  const auto it = std::find(surfaces_.begin(), surfaces_.end(), surface);
-  return it == surfaces_.end() ? max_patches : static_cast<std::size_t>(it - surfaces_.begin());
+std::vector<std::size_t> Patches::vanishing(std::uint32_t surface, int axis, double low, double high, const Vec3& p) const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    if (surfaces_[k] == surface) found.push_back(k);
+  if (found.size() <= 1) return found;
+  Vec3 center = p, reach = Vec3::Zero();
+  center[axis] = 0.5 * (low + high);
+  reach[axis] = std::max(high - center[axis], center[axis] - low) * (1 + 1e-12) + 1e-15 * std::abs(center[axis]);
+  const Rounding rounding;
+  std::erase_if(found, [&](std::size_t k) { return certain_sign(at(k).expand(center, reach).range()) != 0; });
+  return found;
 }
 
 std::size_t Patches::add(std::uint32_t surface) {
-  const std::size_t known = index_of(surface);
-  if (known < max_patches) return known;
+  const auto it = std::find(surfaces_.begin(), surfaces_.end(), surface);
+  if (it != surfaces_.end()) return static_cast<std::size_t>(it - surfaces_.begin());
   surfaces_.push_back(surface);
+  here_.emplace_back(std::shared_ptr<void>(), &table_->surfaces[surface]);   // the table's: not owned
   return surfaces_.size() - 1;
+}
+
+std::size_t Patches::add_part(std::uint32_t surface, SmoothSurfacePtr form) {
+  Surface part = table_->surfaces[surface];
+  part.form = std::move(form);
+  surfaces_.push_back(surface);
+  here_.push_back(std::make_shared<const Surface>(std::move(part)));
+  return surfaces_.size() - 1;
+}
+
+bool Patches::add_region(const Region& region, const SmoothSurfacePtr& form) {
+  if (!form) {
+    forms_.push_back({false, {{add(region.surface), region.complement}}});
+    return surfaces_.size() <= max_patches;
+  }
+  if (!form->simple()) return false;
+  std::vector<SmoothSurfacePtr> parts = form->parts();
+  if (parts.empty()) parts.push_back(form);
+  // F < 0 where any part is, if it is the least of them; where all are, if it is the greatest.
+  Form f{form->least_of_parts() != region.complement, {}};
+  for (SmoothSurfacePtr& part : parts) f.patches.emplace_back(add_part(region.surface, std::move(part)), region.complement);
+  forms_.push_back(std::move(f));
+  return surfaces_.size() <= max_patches;
 }
 
 bool Patches::value(Sides sides) const {
@@ -71,15 +103,14 @@ bool Patches::add_polyhedron(const FacetTable& table, const std::uint32_t* first
 
 std::optional<Patches> Patches::of(const Restriction& restriction, const CellProblem& problem) {
   const FacetTable& table = restriction.table();
-  Patches patches;
+  Patches patches(table);
   patches.expression_ = &problem.expression;
   if (problem.slots() > max_slots) return std::nullopt;
   const std::uint32_t *at = problem.facets.data(), *end = at + problem.facets.size();
-  for (const std::uint32_t operand : problem.expression.solids()) {
+  for (std::size_t slot = 0; slot < problem.slots(); ++slot) {
+    const std::uint32_t operand = problem.expression.solids()[slot];
     if (table.is_region(operand)) {
-      const Region& region = table.region(operand);
-      patches.forms_.push_back({false, {{patches.add(region.surface), region.complement}}});
-      if (patches.size() > max_patches) return std::nullopt;
+      if (!patches.add_region(table.region(operand), problem.forms.empty() ? nullptr : problem.forms[slot])) return std::nullopt;
       continue;
     }
     const std::uint32_t* last = std::lower_bound(at, end, table.first[operand + 1]);

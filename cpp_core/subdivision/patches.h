@@ -1,7 +1,7 @@
 // The patches of a cell: the surfaces that bound the remaining solids there, each met by whatever lies on it, and the
 // expression as a function of the sides of patches that a point is on.
 //
-// A region contributes its surface. A polyhedron contributes its facets' planes, where it is locally one half-space, the
+// A region contributes its surface, or the parts of it that the cell tells apart. A polyhedron contributes its facets' planes, where it is locally one half-space, the
 // intersection of several (all its facets in the cell behind each other's planes) or their union (all before): then its
 // membership in the cell is read off the planes' signs. Surface identity (DESIGN §4) makes one patch of what is shared, so
 // all solids on it flip together.
@@ -9,6 +9,7 @@
 // moved by their surfaces' thickness.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "subdivision/cell_problem.h"
@@ -25,9 +26,13 @@ class Patches {
   static std::optional<Patches> of(const Restriction& restriction, const CellProblem& problem);
 
   std::size_t size() const { return surfaces_.size(); }
+  /// The table's number for it: of several parts of one surface the same.
   std::uint32_t surface(std::size_t k) const { return surfaces_[k]; }
-  /// max_patches if the surface is none of them.
-  std::size_t index_of(std::uint32_t surface) const;
+  /// What it is in the cell.
+  const Surface& at(std::size_t k) const { return *here_[k]; }
+  const std::shared_ptr<const Surface>& here(std::size_t k) const { return here_[k]; }
+  /// The patches on that surface which may vanish on a stretch along `axis` about p: none that does is left out.
+  std::vector<std::size_t> vanishing(std::uint32_t surface, int axis, double low, double high, const Vec3& p) const;
   bool value(Sides sides) const;
 
  private:
@@ -37,11 +42,16 @@ class Patches {
     std::vector<std::pair<std::size_t, bool>> patches;   ///< (patch, positive side)
   };
 
+  explicit Patches(const FacetTable& table) : table_(&table) {}
   std::size_t add(std::uint32_t surface);
+  std::size_t add_part(std::uint32_t surface, SmoothSurfacePtr form);
+  bool add_region(const Region& region, const SmoothSurfacePtr& form);
   bool add_polyhedron(const FacetTable& table, const std::uint32_t* first, const std::uint32_t* last);
 
+  const FacetTable* table_;
   const LocalExpression* expression_ = nullptr;
   std::vector<std::uint32_t> surfaces_;
+  std::vector<std::shared_ptr<const Surface>> here_;
   std::vector<Form> forms_;   // per slot
 };
 

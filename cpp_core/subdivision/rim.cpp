@@ -106,34 +106,37 @@ class Side {
   }
 
   void region_events(std::uint32_t surface, std::size_t slot) {
-    const Surface& s = table_.surfaces[surface];
-    if (!s.form) {
-      if (sign(s, 0) != sign(s, stretch_.size)) toggle(event_on(surface), slot);
+    const SmoothSurface* form = restriction_.form_of(problem_, slot);
+    if (!form) {
+      if (plane_sign(surface, 0) != plane_sign(surface, stretch_.size)) toggle(event_on(surface), slot);
       return;
     }
     bool known = false;   // through another slot on the same surface
     for (Event& e : events_)
       if (e.crossing.surface == surface) e.slots.push_back(slot), known = true;
-    if (!known) isolate(surface, slot, 0, stretch_.size);
+    if (!known) isolate(*form, surface, slot, 0, stretch_.size);
   }
 
   // The function's sign at an offset along the stretch; what is not certain grazes.
-  int sign(const Surface& s, std::uint32_t offset) {
+  template <class F>
+  int sign(const F& s, std::uint32_t offset) {
     const auto [found, sure] = plain_sign(s, offset);
     sure_ = sure_ && sure;
     return found;
   }
 
+  int plane_sign(std::uint32_t surface, std::uint32_t offset) { return sign(table_.surfaces[surface], offset); }
+
   // A sign that depends on the grid point alone, and whether it is certain.
-  std::pair<int, bool> plain_sign(const Surface& s, std::uint32_t offset) const {
+  template <class F>
+  std::pair<int, bool> plain_sign(const F& s, std::uint32_t offset) const {
     const Rounding rounding;
     const Interval value = s.expand(grid_.point(stretch_.at(offset)), Vec3::Zero()).value;
     const int certain = certain_sign(value);
     return {certain != 0 ? certain : middle(value) < 0 ? -1 : 1, certain != 0};
   }
 
-  void isolate(std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size) {
-    const Surface& s = table_.surfaces[surface];
+  void isolate(const SmoothSurface& s, std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size) {
     const Vec3 a = grid_.point(stretch_.at(from)), b = grid_.point(stretch_.at(from + size));
     bool none, monotone;
     Interval slope;
@@ -150,12 +153,12 @@ class Side {
       if (sign(s, from) != sign(s, from + size)) enclose_root(s, surface, slot, from, size, slope);
       return;
     }
-    isolate(surface, slot, from, size / 2);
-    isolate(surface, slot, from + size / 2, size / 2);
+    isolate(s, surface, slot, from, size / 2);
+    isolate(s, surface, slot, from + size / 2, size / 2);
   }
 
   // Newton's method proposes, signs at grid coordinates decide in which interval of the grid the root is.
-  void enclose_root(const Surface& s, std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size, const Interval& slope) {
+  void enclose_root(const SmoothSurface& s, std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size, const Interval& slope) {
     const int axis = stretch_.axis;
     const double begin = grid_.coordinate(axis, stretch_.from[axis] + from), length = grid_.length(size);
     Vec3 p = grid_.point(stretch_.from);

@@ -26,6 +26,7 @@ struct Crossing {
   std::uint32_t root = 0;        ///< smooth surfaces: between the grid coordinates root and root + 1; planes: 0
   std::uint32_t low = 0, high = 0;  ///< the crossing is proved to lie between these grid coordinates
   double at = 0;                 ///< where it is, in world coordinates, to rounding
+  std::uint8_t patch = UINT8_MAX;  ///< its patch in the cell that found it; no part of its identity
 
   friend bool operator==(const Crossing& x, const Crossing& y) {
     return x.axis == y.axis && x.i == y.i && x.j == y.j && x.surface == y.surface && x.root == y.root;

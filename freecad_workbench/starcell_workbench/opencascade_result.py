@@ -3,7 +3,8 @@
 A shell's Euler characteristic is V - E + sum over its faces of (2 - rims): vertices and edges are counted once however many
 faces share them, edges without length (a sphere's poles) not at all, and a face with k rims is a sphere with k holes. A rim is
 a wire, or wires that touch in a vertex. Points and lines that OpenCASCADE leaves within a face bound nothing, and do not count.
-The volume comes from quadrature of low order: of a plain ellipsoid it is off by 0.04 %.
+The volume comes from quadrature of low order: of a plain ellipsoid it is off by 0.04 %, of right results of a few curved faces
+by up to 1 % (found among random trees: tests/long/freecad_trees.py).
 """
 from dataclasses import dataclass, field
 
@@ -31,7 +32,7 @@ def measure(obj):
         measured.flaw = _flaw(obj, shape)
         if not shape.isNull():
             measured.volume = shape.Volume
-            measured.rounding = abs(shape.Volume) * (1e-6 if all(_is_planar(face) for face in shape.Faces) else 1e-3)
+            measured.rounding = abs(shape.Volume) * (1e-6 if all(_is_planar(face) for face in shape.Faces) else 1e-2)
             measured.components = len(shape.Shells)
         if not measured.flaw:
             measured.genus = sorted((_genus(shell) for shell in shape.Shells), reverse=True)
