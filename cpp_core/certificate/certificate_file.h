@@ -1,6 +1,6 @@
 // A certificate as a file: one self-contained JSON text with everything that a check of it needs.
 //
-// Holds the operands' meshes, the half-spaces and curved solids, the expression, the options asked for, the result and every field of the
+// Holds the operands' meshes, the half-spaces, curved solids and offsets, the expression, the options asked for, the result and every field of the
 // certificate. Numbers are written shortest round trip, so every double comes back bit-identical; what JSON has no number
 // for is the string "infinity", "-infinity" or "nan".
 // Guarantees: what read_certificate() returns is finite where it is geometry, and every index is in range. Says nothing
@@ -29,7 +29,13 @@ struct StoredOperand {
   StoredMesh mesh;
 };
 
-/// A node of the expression. A leaf refers to an operand, a half-space or a curved solid, an inner node to nodes before it.
+/// A rounded offset of an operand.
+struct StoredOffset {
+  std::uint32_t operand = 0;
+  double distance = 0;
+};
+
+/// A node of the expression. A leaf refers to an operand, a half-space, a curved solid or an offset, an inner node to nodes before it.
 struct StoredNode {
   Expression::Kind kind = Expression::Kind::polyhedron;
   std::uint32_t leaf = 0;
@@ -40,6 +46,7 @@ struct CertificateFile {
   std::vector<StoredOperand> operands;
   std::vector<HalfSpace> half_spaces;
   std::vector<CurvedSolidPtr> curved;
+  std::vector<StoredOffset> offsets;
   std::vector<StoredNode> expression;  ///< the last node is the root; empty: the result is no Boolean
   std::optional<double> error;         ///< as asked for; none: the default
   std::optional<double> contact;

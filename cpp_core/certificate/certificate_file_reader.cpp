@@ -114,7 +114,8 @@ StoredNode read_node(const Value& value, const CertificateFile& file) {
   if (is_leaf(node.kind)) {
     node.leaf = value["index"].index(node.kind == Expression::Kind::polyhedron   ? file.operands.size()
                                      : node.kind == Expression::Kind::half_space ? file.half_spaces.size()
-                                                                                 : file.curved.size());
+                                     : node.kind == Expression::Kind::curved     ? file.curved.size()
+                                                                                 : file.offsets.size());
     return node;
   }
   const Value children = value["children"];
@@ -193,6 +194,13 @@ CertificateFile read_file(const Value& root) {
   if (root.json.contains("curved")) {
     const Value curved = root["curved"];
     for (std::size_t k = 0; k < curved.size(); ++k) file.curved.push_back(read_curved(curved.at(k)));
+  }
+  if (root.json.contains("offsets")) {
+    const Value offsets = root["offsets"];
+    for (std::size_t k = 0; k < offsets.size(); ++k) {
+      file.offsets.push_back({offsets.at(k)["operand"].index(file.operands.size()), offsets.at(k)["distance"].number()});
+      if (!std::isfinite(file.offsets.back().distance) || file.offsets.back().distance == 0) offsets.at(k)["distance"].fail("is no distance");
+    }
   }
   for (std::size_t k = 0; k < expression.size(); ++k) file.expression.push_back(read_node(expression.at(k), file));
   file.error = root["options"]["error"].optional_length();

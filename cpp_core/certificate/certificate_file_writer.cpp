@@ -77,12 +77,13 @@ Json fields(const Certificate& c) {
 }
 
 Json to_json(const CertificateFile& file) {
-  Json operands = Json::array(), half_spaces = Json::array(), curved = Json::array(), expression = Json::array();
+  Json operands = Json::array(), half_spaces = Json::array(), curved = Json::array(), offsets = Json::array(), expression = Json::array();
   for (const StoredOperand& operand : file.operands)
     operands.push_back({{"name", operand.name}, {"deflection", number(operand.deflection)}, {"mesh", mesh(operand.mesh)}});
   for (const HalfSpace& h : file.half_spaces)
     half_spaces.push_back({{"point", point(h.point)}, {"normal", point(h.normal)}});
   for (const CurvedSolidPtr& solid : file.curved) curved.push_back(curved_solid(*solid));
+  for (const StoredOffset& offset : file.offsets) offsets.push_back({{"operand", offset.operand}, {"distance", offset.distance}});
   for (const StoredNode& n : file.expression) expression.push_back(node(n));
   return {{"format", certificate_format},
           {"version", certificate_version},
@@ -91,6 +92,7 @@ Json to_json(const CertificateFile& file) {
           {"expression", std::move(expression)},
           {"half_spaces", std::move(half_spaces)},
           {"curved", std::move(curved)},
+          {"offsets", std::move(offsets)},
           {"operands", std::move(operands)},
           {"result", mesh(file.result)}};
 }
@@ -110,6 +112,9 @@ class Storing {
       const auto [place, is_new] = curved_.emplace(e.curved().get(), static_cast<std::uint32_t>(file_.curved.size()));
       if (is_new) file_.curved.push_back(e.curved());
       node.leaf = place->second;
+    } else if (e.kind() == Expression::Kind::offset) {
+      node.leaf = static_cast<std::uint32_t>(file_.offsets.size());
+      file_.offsets.push_back({operand(e.offset()->solid()), e.offset()->distance()});
     } else {
       for (const Expression& child : e.operands()) node.children.push_back(store(child));
     }

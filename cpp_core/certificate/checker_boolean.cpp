@@ -147,6 +147,7 @@ Mesh evaluate(const CertificateFile& file) {
         values.push_back({cuboid(file.half_spaces[node.leaf], box.center(), radius)});
         continue;
       case Expression::Kind::curved: throw Undecided("an operand is curved, and CGAL's Booleans are of polyhedra");
+      case Expression::Kind::offset: throw Undecided("an operand is an offset, and CGAL's Booleans are of polyhedra");
       case Expression::Kind::complement: values.push_back(complement(values[node.children.front()])); continue;
       default: break;
     }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "distance/offset_solid.h"
 #include "numerics/vector.h"
 #include "solids/curved_solid.h"
 #include "solids/half_space.h"
@@ -18,11 +19,12 @@ namespace starcell {
 
 class Expression {
  public:
-  enum class Kind { polyhedron, half_space, curved, set_union, intersection, complement };
+  enum class Kind { polyhedron, half_space, curved, offset, set_union, intersection, complement };
 
   explicit Expression(PolyhedronPtr solid);
   explicit Expression(const HalfSpace& half_space);
   explicit Expression(CurvedSolidPtr solid);
+  explicit Expression(OffsetSolidPtr solid);
 
   /// Union and intersection of one or more expressions. Throws std::invalid_argument when empty.
   static Expression set_union(const std::vector<Expression>& operands);
@@ -37,6 +39,7 @@ class Expression {
   const PolyhedronPtr& polyhedron() const { return node_->polyhedron; }     ///< kind() == polyhedron
   const HalfSpace& half_space() const { return *node_->half_space; }        ///< kind() == half_space
   const CurvedSolidPtr& curved() const { return node_->curved; }            ///< kind() == curved
+  const OffsetSolidPtr& offset() const { return node_->offset; }            ///< kind() == offset
   const std::vector<Expression>& operands() const { return node_->operands; }
 
   /// A box that contains the solid. Throws UnboundedError if none can be derived.
@@ -49,6 +52,7 @@ class Expression {
     PolyhedronPtr polyhedron;
     std::shared_ptr<const HalfSpace> half_space;
     CurvedSolidPtr curved;
+    OffsetSolidPtr offset;
     std::vector<Expression> operands;
   };
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}

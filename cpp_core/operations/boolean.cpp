@@ -43,6 +43,12 @@ void add_statistics(const Statistics& s, Certificate& c) {
   put("guard_tests.failed", s.guard_failed);
 }
 
+std::vector<PolyhedronPtr> all_polyhedra(const Operands& operands) {
+  std::vector<PolyhedronPtr> all = operands.solids;
+  all.insert(all.end(), operands.sources.begin(), operands.sources.end());
+  return all;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -51,7 +57,7 @@ class Evaluation {
  public:
   Evaluation(const Expression& expression, const Options& options)
       : options_(options), box_(expression.bounding_box()), operands_(gather_operands(expression, padded(box_))),
-        tolerances_(split_error(options, box_, operands_.solids)),
+        tolerances_(split_error(options, box_, all_polyhedra(operands_))),
         progress_([this](double done, const std::string& stage) { return report_progress(done, stage); }),
         engine_(operands_, options, box_, tolerances_, progress_, statistics_, result_.certificate.statistics) {}
 
@@ -59,7 +65,7 @@ class Evaluation {
     Certificate& c = result_.certificate;
     c.requested_error = tolerances_.error;
     c.contact_tolerance = tolerances_.contact;
-    for (const auto& solid : operands_.solids)
+    for (const auto& solid : all_polyhedra(operands_))
       if (solid->provenance().deflection > 0)
         c.tessellated.emplace_back(solid->provenance().name, solid->provenance().deflection);
     c.error_bound = tolerances_.inputs;

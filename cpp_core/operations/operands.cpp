@@ -34,6 +34,7 @@ class Gatherer {
       case Expression::Kind::polyhedron: leaf(e.polyhedron().get(), e.polyhedron()); return;
       case Expression::Kind::half_space: leaf(&e.half_space(), nullptr, &e.half_space()); return;
       case Expression::Kind::curved: curved(e.curved()); return;
+      case Expression::Kind::offset: offset(e.offset()); return;
       default: break;
     }
     for (const Expression& operand : e.operands()) visit(operand);
@@ -47,6 +48,7 @@ class Gatherer {
   std::vector<LocalExpression::Step> program;
   std::vector<PolyhedronPtr> solids;
   std::vector<RegionOperand> regions;
+  std::vector<PolyhedronPtr> sources;
 
   // Regions are numbered after all polyhedra, whose number is known only now.
   void number_regions() {
@@ -70,6 +72,12 @@ class Gatherer {
     if (faces > 1) program.push_back({LocalExpression::Op::intersection, faces});
   }
 
+  void offset(const OffsetSolidPtr& solid) {
+    const auto [it, fresh] = index_.emplace(solid.get(), static_cast<std::uint32_t>(regions.size()));
+    if (fresh) regions.push_back({solid->surface(), {}, solid->bounding_box(), it->second}), sources.push_back(solid->solid());
+    program.push_back({LocalExpression::Op::leaf, first_region + it->second});
+  }
+
   void leaf(const void* key, PolyhedronPtr solid, const HalfSpace* half_space = nullptr) {
     const auto [it, fresh] = index_.emplace(key, static_cast<std::uint32_t>(solids.size()));
     if (fresh) solids.push_back(half_space ? cover(*half_space, box_) : std::move(solid));
@@ -88,7 +96,8 @@ Operands gather_operands(const Expression& expression, const Box3& box) {
   gatherer.number_regions();
   std::vector<std::uint32_t> all(gatherer.solids.size() + gatherer.regions.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  return {std::move(gatherer.solids), std::move(gatherer.regions), LocalExpression(std::move(gatherer.program), std::move(all))};
+  return {std::move(gatherer.solids), std::move(gatherer.regions), LocalExpression(std::move(gatherer.program), std::move(all)),
+          std::move(gatherer.sources)};
 }
 
 }  // namespace starcell

@@ -12,6 +12,9 @@ struct Operands {
   std::vector<RegionOperand> regions;   ///< those of curved solids; they come after all polyhedra
   LocalExpression expression;
 
+  /// The polyhedra that offsets are of.
+  std::vector<PolyhedronPtr> sources;
+
   std::size_t size() const { return solids.size() + regions.size(); }
 };
 

@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "interruptible.h"
+#include "operations/offset.h"
 #include "solids/mesh_writer.h"
 
 namespace starcell::python {
@@ -84,6 +85,52 @@ py::object evaluate_expression(const Expression& expression, std::optional<doubl
   return object;
 }
 
+// An operation that prepares an expression, evaluated as any other.
+template <class Prepare>
+py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::optional<double> contact, const std::string& criterion,
+                             int threads, const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
+  const bool raises = read_raises(on_unresolved);
+  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
+  Options options = read_options(error, contact, criterion, threads, budget);
+  std::optional<Expression> expression;
+  Result result = run_interruptible(progress, [&](const Progress& report) {
+    options.progress = report;
+    const Prepared prepared = prepare(options);
+    expression = prepared.expression;
+    return evaluate(prepared.expression, prepared.options);
+  });
+  const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
+  const Certificate& certificate = record->result.certificate;
+  py::object object = py::cast(record);
+  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
+  return object;
+}
+
+using Preparation = Prepared (*)(const Expression&, double, const Options&);
+
+void bind_prepared(py::module_& module, const char* name, const char* argument, Preparation prepare, const char* doc) {
+  module.def(
+      name,
+      [prepare](const Expression& solid, double amount, std::optional<double> error, std::optional<double> contact,
+                const std::string& criterion, int threads, const std::optional<Budget>& budget, const py::object& progress,
+                const std::string& on_unresolved) {
+        return evaluate_prepared([&](const Options& options) { return prepare(solid, amount, options); }, error, contact, criterion, threads,
+                                 budget, progress, on_unresolved);
+      },
+      py::arg("solid"), py::arg(argument), py::arg("error") = py::none(), py::arg("contact") = py::none(), py::arg("criterion") = "trace",
+      py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return", doc);
+}
+
+Prepared prepare_dilation(const Expression& solid, double radius, const Options& options) {
+  if (!(radius > 0)) throw std::invalid_argument("element: a ball's radius must be positive");
+  return prepare_offset(solid, radius, options);
+}
+
+Prepared prepare_erosion(const Expression& solid, double radius, const Options& options) {
+  if (!(radius > 0)) throw std::invalid_argument("element: a ball's radius must be positive");
+  return prepare_offset(solid, -radius, options);
+}
+
 void bind_budget(py::module_& module) {
   py::class_<Budget>(
       module, "Budget",
@@ -154,6 +201,24 @@ void bind_operations(py::module_& module) {
       "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever "
       "progress "
       "raises, KeyboardInterrupt. Source: T§3.");
+  bind_prepared(module, "offset", "distance", &prepare_offset,
+                "The rounded offset of a Solid: all points within `distance` of it (> 0, model units), or all its points farther than "
+                "-distance from its boundary (< 0).\n\nOther arguments, and errors raised, as for evaluate(); error None: longest side of the "
+                "result's box / 128. What has no closed form is meshed first and named in certificate.tessellated. Source: T§4.2.");
+  bind_prepared(module, "shell", "thickness", &prepare_shell,
+                "A wall about a Solid's boundary: outside it (thickness > 0, model units) or inside (< 0).\n\nOther arguments, and errors "
+                "raised, as for offset(). Source: T§4.2.");
+  bind_prepared(module, "dilate", "element", &prepare_dilation,
+                "Minkowski sum with a ball of radius `element` (model units). Other arguments as for offset(). Source: T§1.2.");
+  bind_prepared(module, "erode", "element", &prepare_erosion,
+                "What a ball of radius `element` (model units) leaves of a Solid: points farther than that from its boundary. Other arguments "
+                "as for offset(). Source: T§1.2.");
+  bind_prepared(module, "opening", "element", &prepare_opening,
+                "Erosion, then dilation, by a ball of radius `element` (model units): parts thinner than its diameter go, convex edges are "
+                "rounded. The error is shared between the two. Other arguments as for offset(). Source: T§1.2.");
+  bind_prepared(module, "closing", "element", &prepare_closing,
+                "Dilation, then erosion, by a ball of radius `element` (model units): slots narrower than its diameter are filled, concave "
+                "edges rounded. The error is shared between the two. Other arguments as for offset(). Source: T§1.2.");
 }
 
 }  // namespace starcell::python

@@ -1,7 +1,7 @@
 #include "solids/smooth_surface.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace starcell {
 namespace {
@@ -92,10 +92,15 @@ Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const
   const Interval3 spread{Interval(0, (slope.x - slope.x).upper()), Interval(0, (slope.y - slope.y).upper()),
                          Interval(0, (slope.z - slope.z).upper())};
   const double first = (norm(spread) * longest).upper();
-  if (!smooth) return {-first, first};
+  double up = first, down = first, squares = 0;
+  for (const Vec3& edge : edges) squares = std::max(squares, (dot(enclose(edge), enclose(edge)) * (1 + 1e-9)).upper());
+  // A function that bends no more than m|x|^2 / 2 exceeds interpolation no more than that one does.
+  if (std::isfinite(bend.upper())) up = std::min(up, std::max(0.0, (Interval(bend.upper()) * squares * pairs * 0.5).upper()));
+  if (std::isfinite(bend.lower())) down = std::min(down, std::max(0.0, (Interval(-bend.lower()) * squares * pairs * 0.5).upper()));
+  if (!smooth) return {-down, up};
   double wide = 0;
   const IntervalSymmetric h = middled(framed ? framed_hessian : hessian, wide);
-  double most = 0, least = 0, sum_up = 0, sum_down = 0, sum_wide = 0, squares = 0;
+  double most = 0, least = 0, sum_up = 0, sum_down = 0, framed_squares = squares;
   for (const Vec3& edge : edges) {
     const Interval3 along = framed ? frame * enclose(edge) : enclose(edge);
     const Interval e = dot(along, h * along);
@@ -103,17 +108,17 @@ Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const
     least = std::min(least, e.lower());
     sum_up += std::max(0.0, e.upper());
     sum_down += std::max(0.0, -e.lower());
-    squares = std::max(squares, (dot(along, along) * (1 + 1e-9)).upper());
+    if (framed) framed_squares = std::max(framed_squares, (dot(along, along) * (1 + 1e-9)).upper());
   }
-  sum_wide = (Interval(3 * wide) * squares).upper();
+  const double sum_wide = (Interval(3 * wide) * framed_squares).upper();
   // The edges are rounded differences: far less than the billionth part that is added.
   const double rest = (Interval(sum_wide) * pairs * 0.5 + 1e-9 * (Interval(most) - least)).upper();
-  double up = std::min({first, (Interval(most) * pairs * 0.5 + rest).upper(), (Interval(sum_up) * 0.125 + rest).upper()});
-  double down = std::min({first, (Interval(-least) * pairs * 0.5 + rest).upper(), (Interval(sum_down) * 0.125 + rest).upper()});
+  up = std::min({up, (Interval(most) * pairs * 0.5 + rest).upper(), (Interval(sum_up) * 0.125 + rest).upper()});
+  down = std::min({down, (Interval(-least) * pairs * 0.5 + rest).upper(), (Interval(sum_down) * 0.125 + rest).upper()});
   if (framed) {
     // Whatever H is at each corner, its form lies between the extreme eigenvalues.
-    up = std::min(up, std::max(0.0, (Interval(curvature.upper()) * squares * pairs * 0.5).upper()));
-    down = std::min(down, std::max(0.0, (Interval(-curvature.lower()) * squares * pairs * 0.5).upper()));
+    up = std::min(up, std::max(0.0, (Interval(curvature.upper()) * framed_squares * pairs * 0.5).upper()));
+    down = std::min(down, std::max(0.0, (Interval(-curvature.lower()) * framed_squares * pairs * 0.5).upper()));
   }
   return {-down, up};
 }

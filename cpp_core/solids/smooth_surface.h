@@ -6,6 +6,7 @@
 // Guarantees: enclosures, for the surface as it was defined; its coefficients are intervals where they had to be rounded.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,8 @@ struct Expansion {
   Interval3 framed_slope;
   IntervalSymmetric framed_hessian;
   Interval curvature;   ///< encloses framed_hessian's eigenvalues
+  /// F - m |x|^2 / 2 is concave in the box for m its upper end, convex for its lower end, smooth or not; infinite: not known.
+  Interval bend{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
   /// F over the box.
   Interval range() const;
