@@ -327,6 +327,7 @@ Expansion DistanceSurface::expand(const Vec3& center, const Vec3& reach) const {
   e.slope = normals.front();
   for (const Interval3& n : normals) e.slope = hull(e.slope, n);
   bend(e, sight, normals);
+  if (normals.size() > 1) e.slopes = std::move(normals);
   if (!e.smooth) return e;
   if (reach.isZero(0.0)) {
     e.gradient = e.slope;

@@ -75,6 +75,14 @@ Interval Expansion::range() const {
 }
 
 Interval Expansion::along(const Vec3& u) const {
+  if (!slopes.empty()) {
+    Interval all = dot(slopes.front(), u);
+    for (const Interval3& s : slopes) {
+      const Interval one = dot(s, u);
+      all = Interval(std::min(all.lower(), one.lower()), std::max(all.upper(), one.upper()));
+    }
+    return all;
+  }
   const Interval plain = dot(slope, u);
   if (!framed) return plain;
   const Interval other = dot(framed_slope, frame * enclose(u));

@@ -21,7 +21,8 @@ struct Expansion {
   Interval value;              ///< F(c)
   Interval3 gradient;          ///< of F at c
   IntervalSymmetric hessian;   ///< over the box; of no meaning unless `smooth`
-  Interval3 slope;             ///< the gradient over the box
+  Interval3 slope;             ///< the gradient over the box; at a kink Clarke's
+  std::vector<Interval3> slopes;   ///< if any: it is in the convex hull of these, which `slope` encloses
   bool smooth = true;          ///< false where F has a kink in the box (the tip of a cone): only `slope` holds
   /// Slope and second derivatives once more, in a frame where they are narrower than along the model's axes: the derivative along
   /// u is framed_slope . frame u, the second one frame u . framed_hessian frame u.

@@ -231,7 +231,9 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
       surface.value(at, &g);
     }
     add(mean, c.sense[i] * flat(g));
-    add(middle, c.sense[i] * flat(expansions_[c.patches[i]].slope.middle()));
+    const Expansion& e = expansions_[c.patches[i]];
+    if (e.slopes.empty()) add(middle, c.sense[i] * flat(e.slope.middle()));
+    for (const Interval3& slope : e.slopes) add(middle, c.sense[i] * flat(slope.middle()));
   }
   for (const Vec3& u : {mean, middle})
     if (u.norm() > 0 && sees(c, u.normalized())) {
