@@ -15,10 +15,8 @@ constexpr double ulp = 2.3e-16;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // More faces than this are not looked at feature by feature: the cell has to be smaller.
 constexpr std::size_t most_faces = 64;
-// More sheets than this are not told apart at their creases.
+// More convex sheets than this are left in one piece.
 constexpr std::size_t most_sheets = 4;
-// Creases sharper than this are worth a patch on either side.
-constexpr double crease_cosine = 0.9;
 
 // Bits of a face's mask: its interior, edge k, corner k.
 constexpr std::uint8_t face_bit = 0;
@@ -77,14 +75,8 @@ void DistanceSurface::find_local() {
   for (auto& [id, feature] : vertices) keep(feature, f.vertices[id].bend, f.first_about[id + 1] - f.first_about[id]);
 
   all_behind_ = side_ != 0;
-  const double slack = 1e-12 * f.scale();
   for (std::size_t i = 0; i < faces_.size() && all_behind_; ++i)
-    for (std::size_t j = 0; j < faces_.size() && all_behind_; ++j)
-      for (int k = 0; k < 3; ++k) {
-        const Vec3 from = f.corner(faces_[j], k) - f.corner(faces_[i], 0);
-        const MeshFeatures::Face& plane = f.faces[faces_[i]];
-        all_behind_ = all_behind_ && side_ * plane.normal.dot(from) <= slack && plane.loss * from.norm() <= slack;
-      }
+    for (std::size_t j = 0; j < faces_.size() && all_behind_; ++j) all_behind_ = i == j || behind(faces_[j], faces_[i]);
 }
 
 // By regions of the triangle's plane (Ericson 2005, 5.1.5), then enclosed whatever rounding did to it: no point of the triangle is
@@ -416,30 +408,17 @@ SmoothSurfacePtr DistanceSurface::on_one(const Local& feature) const {
   return std::make_shared<QuadricSurface>(origin, a, Interval3{}, Interval(static_cast<double>(-side_)) * r * 0.5, 1.0);
 }
 
-// Faces that share an edge, but for sharp creases if those are to be told apart.
-std::vector<std::vector<std::uint32_t>> DistanceSurface::sheets(bool at_creases) const {
-  const MeshFeatures& f = *features_;
+// Faces that share a vertex.
+std::vector<std::vector<std::uint32_t>> DistanceSurface::sheets() const {
   std::vector<std::size_t> root(faces_.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
-  for (const Local& feature : local_) {
-    if (feature.kind == Kind::face) continue;
-    if (feature.kind == Kind::vertex && at_creases) continue;
-    for (std::size_t b = 1; b < feature.bits.size(); ++b) root[find(feature.bits[b].first)] = find(feature.bits[0].first);
-  }
-  // Edges that are nearest to nothing are not among the local features.
+  std::map<std::uint32_t, std::size_t> first;   // per vertex
   for (std::size_t i = 0; i < faces_.size(); ++i)
-    for (const std::uint32_t id : f.edge_of[faces_[i]]) {
-      const MeshFeatures::Edge& e = f.edges[id];
-      const std::uint32_t other = e.faces[0] == faces_[i] ? e.faces[1] : e.faces[0];
-      const auto at = std::lower_bound(faces_.begin(), faces_.end(), other);
-      if (at == faces_.end() || *at != other) continue;
-      const bool crease = (side_ > 0 ? e.bend == Bend::concave : e.bend == Bend::convex) && e.cosine < crease_cosine;
-      if (!at_creases || !crease) root[find(i)] = find(static_cast<std::size_t>(at - faces_.begin()));
-    }
+    for (const std::uint32_t v : features_->solid()->triangles()[faces_[i]]) root[find(i)] = find(first.emplace(v, i).first->second);
   std::vector<std::vector<std::uint32_t>> sheets;
   std::map<std::size_t, std::size_t> number;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -450,10 +429,42 @@ std::vector<std::vector<std::uint32_t>> DistanceSurface::sheets(bool at_creases)
   return sheets;
 }
 
+// Is face g, seen from their side, behind f's plane?
+bool DistanceSurface::behind(std::uint32_t g, std::uint32_t f) const {
+  const MeshFeatures::Face& plane = features_->faces[f];
+  const double slack = 1e-12 * features_->scale();
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 from = features_->corner(g, k) - features_->corner(f, 0);
+    if (side_ * plane.normal.dot(from) > slack || plane.loss * from.norm() > slack) return false;
+  }
+  return true;
+}
+
+// Sets of faces behind each other's planes, as large as they get; they overlap. The distance from each is smooth where its rim is far,
+// so creases of the offset run between patches. Empty: more than a few.
+std::vector<std::vector<std::uint32_t>> DistanceSurface::convex_sheets() const {
+  std::vector<std::vector<std::uint32_t>> sheets;
+  std::vector<char> covered(faces_.size(), 0);
+  for (std::size_t seed = 0; seed < faces_.size(); ++seed) {
+    if (covered[seed]) continue;
+    if (sheets.size() == most_sheets) return {};
+    std::vector<std::uint32_t> sheet{faces_[seed]};
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const std::uint32_t f = faces_[i];
+      if (i != seed && !std::all_of(sheet.begin(), sheet.end(), [&](std::uint32_t g) { return behind(f, g) && behind(g, f); })) continue;
+      if (i != seed) sheet.push_back(f);
+      covered[i] = 1;
+    }
+    std::sort(sheet.begin(), sheet.end());
+    sheets.push_back(std::move(sheet));
+  }
+  return sheets;
+}
+
 std::vector<SmoothSurfacePtr> DistanceSurface::parts() const {
   if (side_ == 0 || !simple()) return {};
-  auto sheets = this->sheets(true);
-  if (sheets.size() > most_sheets) sheets = this->sheets(false);
+  auto sheets = convex_sheets();
+  if (sheets.empty()) sheets = this->sheets();
   const Vec3 center = box_.center(), reach = 0.5 * box_.sizes() * (1 + 4 * ulp);
   std::vector<SmoothSurfacePtr> parts;
   for (auto& sheet : sheets) {

@@ -66,7 +66,9 @@ class DistanceSurface final : public SmoothSurface {
   bool coplanar(const Sight& sight) const;
   void bend(Expansion& e, const Sight& sight, const std::vector<Interval3>& normals) const;
   SmoothSurfacePtr on_one(const Local& feature) const;
-  std::vector<std::vector<std::uint32_t>> sheets(bool at_creases) const;
+  std::vector<std::vector<std::uint32_t>> sheets() const;
+  std::vector<std::vector<std::uint32_t>> convex_sheets() const;
+  bool behind(std::uint32_t g, std::uint32_t f) const;
   double rounding_at(const Vec3& x) const;
 
   std::shared_ptr<const MeshFeatures> features_;

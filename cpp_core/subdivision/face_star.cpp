@@ -140,7 +140,10 @@ class FaceStar {
       arc.bends.push_back(bend);
       arc.surfaces = {no_surface, no_surface};
     }
-    if (!std::isinf(error_)) sway_little(face, c, u, p, q, arc);
+    if (std::isinf(error_)) return arc;
+    sway_little(face, c, u, p, q, arc);
+    // Whatever it is, E's arc and the polyline are both on the face.
+    if (const double diagonal = grid_.length(face.size) * 1.4142136; !(arc.sway <= diagonal)) arc.sway = diagonal, arc.along = Vec3::Zero();
     return arc;
   }
 
