@@ -9,7 +9,7 @@ namespace starcell {
 
 Tolerances split_error(const Options& options, const Box3& box, const std::vector<PolyhedronPtr>& solids) {
   Tolerances t;
-  const double length = longest_side(box);
+  const double length = longest_side(box);   // 0 where nothing is left
   t.error = options.error.value_or(length / 128);
   if (!(t.error > 0)) throw std::invalid_argument("error: must be greater than 0");
   t.contact = options.contact.value_or(std::isinf(t.error) ? length / 12800 : t.error / 100);
@@ -17,7 +17,7 @@ Tolerances split_error(const Options& options, const Box3& box, const std::vecto
   t.inputs = 0;
   for (const auto& solid : solids) t.inputs = std::max(t.inputs, solid->provenance().deflection);
   // Rounding of plane equations and of the apexes: far above what double arithmetic can lose on coordinates this large.
-  const double rounding = 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double rounding = box.isEmpty() ? 0.0 : 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   t.inputs += rounding;
   t.cells = t.error - t.inputs;
   if (!(t.cells > 0))

@@ -1,0 +1,137 @@
+// Offsets, shells, openings and closings: volumes from closed forms, topology on either side of critical widths.
+#include "operations/offset.h"
+
+#include "operations/results.h"
+
+namespace starcell {
+namespace {
+
+using namespace sample;
+
+constexpr double pi = std::numbers::pi;
+
+Result offset(const Expression& solid, double distance, double error, double contact = 0) {
+  const Prepared p = prepare_offset(solid, distance, with_error(error, contact));
+  return evaluate(p.expression, p.options);
+}
+
+Result shell(const Expression& solid, double thickness, double error) {
+  const Prepared p = prepare_shell(solid, thickness, with_error(error));
+  return evaluate(p.expression, p.options);
+}
+
+Mesh block(const Vec3& low, const Vec3& high) { return box(low, high); }
+
+double area(const Result& r) {
+  double sum = 0;
+  for (const Triangle& t : r.triangles)
+    sum += 0.5 * (r.vertices[t[1]] - r.vertices[t[0]]).cross(r.vertices[t[2]] - r.vertices[t[0]]).norm();
+  return sum;
+}
+
+void expect_result(const Result& r, const Topology& topology, double expected_volume, double error, const std::string& what) {
+  EXPECT_NE(r.certificate.verdict, Verdict::unresolved) << what;
+  EXPECT_LE(r.certificate.error_bound, error) << what;
+  expect_sound(r, what);
+  EXPECT_EQ(sample::topology(r), topology) << what;
+  EXPECT_NEAR(volume(r), expected_volume, r.certificate.error_bound * area(r) + 1e-9) << what;
+}
+
+// Steiner (1840): V + A r + M r^2 + 4/3 pi r^3; of a box M is pi times the sum of its sides.
+double steiner(const Vec3& sides, double r) {
+  const double a = sides.x(), b = sides.y(), c = sides.z();
+  return a * b * c + 2 * (a * b + b * c + c * a) * r + pi * (a + b + c) * r * r + 4 * pi / 3 * r * r * r;
+}
+
+TEST(Offset, OfABoxIsSteinersInEveryRotation) {
+  std::mt19937 random(3);
+  const Vec3 sides(1, 2, 0.7);
+  for (const double r : {0.05, 0.4, 1.5}) {
+    const Expression turned_box = solid(turned(block({0, 0, 0}, sides), random_rotation(random), {0.1, 0.2, 0.3}));
+    expect_result(offset(turned_box, r, 0.04), solid_ball(), steiner(sides, r), 0.04, "r = " + std::to_string(r));
+  }
+  const Result inward = offset(solid(turned(block({0, 0, 0}, sides), random_rotation(random))), -0.3, 0.04);
+  expect_result(inward, solid_ball(), 0.4 * 1.4 * 0.1, 0.04, "inward");
+}
+
+// Flat faces come out flat: nothing but rounding is between the mesh and the inward offset of a box.
+TEST(Offset, InwardOfABoxIsABox) {
+  const Result r = offset(solid(block({0, 0, 0}, {1, 1, 1})), -0.2, 0.05);
+  EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  EXPECT_NEAR(volume(r), 0.216, 1e-6);
+}
+
+TEST(Offset, APlateVanishesAtHalfItsThickness) {
+  const Expression plate = solid(block({0, 0, 0}, {5, 5, 0.5}));
+  for (const double share : {0.98, 1 - 1e-4}) {
+    const Result r = offset(plate, -0.25 * share, 0.1, 1e-8);
+    EXPECT_EQ(sample::topology(r), solid_ball()) << share;
+    EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  }
+  for (const double share : {1 + 1e-4, 1.02}) {
+    const Result r = offset(plate, -0.25 * share, 0.1, 1e-8);
+    EXPECT_TRUE(r.triangles.empty()) << share;
+    EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  }
+}
+
+TEST(Offset, ASlotClosesAtHalfItsWidth) {
+  Expression slotted = solid(block({0, 0, 0}, {3, 3, 1})) - solid(block({1, 1, -1}, {2, 2, 2}));
+  EXPECT_EQ(topology(offset(slotted, 0.49, 0.2)), (Topology{1, {1}}));
+  EXPECT_EQ(topology(offset(slotted, 0.51, 0.2)), solid_ball());
+}
+
+TEST(Offset, OfBallsAndUnionsNeedsNoMesh) {
+  const Expression a(CurvedSolid::sphere({0, 0, 0}, 1)), b(CurvedSolid::sphere({4, 0, 0}, 1));
+  const Result apart = offset(a | b, 0.9999, 0.2, 1e-7), joined = offset(a | b, 1.0001, 0.2, 1e-7);
+  EXPECT_EQ(topology(apart), (Topology{2, {0, 0}}));
+  EXPECT_EQ(topology(joined), solid_ball());
+  EXPECT_TRUE(joined.certificate.tessellated.empty());
+}
+
+TEST(Offset, WhatHasNoClosedFormIsNamed) {
+  const Expression rod(CurvedSolid::cylinder({0.1, 0.2, 0.3}, {1, 2, 3}, 1, 2));
+  const Result r = offset(rod, 0.3, 0.1);
+  ASSERT_EQ(r.certificate.tessellated.size(), 1u);
+  EXPECT_GT(r.certificate.tessellated.front().second, 0);
+  // A cylinder's: its own volume, its area times r, its mean curvature's part, the ball's.
+  const double expected = 2 * pi + (2 * pi + 4 * pi) * 0.3 + (pi * 2 + pi * pi) * 0.09 + 4 * pi / 3 * 0.027;
+  expect_result(r, solid_ball(), expected, 0.1, "rod");
+}
+
+TEST(Offset, RefusesWhatIsNoDistance) {
+  const Expression a = solid(block({0, 0, 0}, {1, 1, 1}));
+  for (const double distance : {0.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(prepare_offset(a, distance, with_error(0.1)), std::invalid_argument);
+    EXPECT_THROW(prepare_shell(a, distance, with_error(0.1)), std::invalid_argument);
+    EXPECT_THROW(prepare_opening(a, distance, with_error(0.1)), std::invalid_argument);
+  }
+  EXPECT_THROW(prepare_closing(a, -1, with_error(0.1)), std::invalid_argument);
+}
+
+TEST(Shell, OfABoxHasTwoSides) {
+  const Expression a = solid(block({0, 0, 0}, {3, 3, 3}));
+  expect_result(shell(a, 0.2, 0.05), {2, {0, 0}}, steiner({3, 3, 3}, 0.2) - 27, 0.05, "outside");
+  expect_result(shell(a, -0.2, 0.05), {2, {0, 0}}, 27 - 2.6 * 2.6 * 2.6, 0.05, "inside");
+}
+
+TEST(Opening, TakesThinFinsAndClosingFillsThinSlots) {
+  const Expression fin = solid(block({0, 0, 0}, {3, 3, 2})) | solid(block({1, 1.3, 2}, {2, 1.7, 3}));
+  const Prepared open = prepare_opening(fin, 0.4, with_error(0.1));
+  const Result opened = evaluate(open.expression, open.options);
+  EXPECT_EQ(topology(opened), solid_ball());
+  double highest = 0;
+  for (const Vec3& p : opened.vertices) highest = std::max(highest, p.z());
+  EXPECT_NEAR(highest, 2, 0.1);
+
+  const Expression slotted = solid(block({0, 0, 0}, {3, 3, 1})) - solid(block({1, 1, -1}, {1.6, 2, 2}));
+  for (const auto& [radius, genus] : {std::pair{0.4, 0}, std::pair{0.2, 1}}) {
+    const Prepared close = prepare_closing(slotted, radius, with_error(0.1));
+    const Result closed = evaluate(close.expression, close.options);
+    EXPECT_NE(closed.certificate.verdict, Verdict::unresolved);
+    EXPECT_EQ(topology(closed), (Topology{1, {genus}})) << radius;
+  }
+}
+
+}  // namespace
+}  // namespace starcell
