@@ -1,7 +1,11 @@
 #include "operations/offset.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+
+#include "numerics/predicates.h"
 
 namespace starcell {
 namespace {
@@ -11,6 +15,29 @@ constexpr double tessellation_share = 0.25;
 // What the first of two offsets may take.
 constexpr double first_share = 0.4;
 
+// More planes than this are no few moved half-spaces.
+constexpr std::size_t most_planes = 64;
+
+// The supporting half-spaces of a convex polyhedron, each once; none if it is not convex, or has many.
+std::optional<std::vector<HalfSpace>> planes_of_convex(const Polyhedron& solid) {
+  const auto& points = solid.vertices();
+  std::vector<HalfSpace> planes;
+  std::vector<Triangle> taken;
+  for (const Triangle& t : solid.triangles()) {
+    const bool known = std::any_of(taken.begin(), taken.end(), [&](const Triangle& s) {
+      return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return side(points[s[0]], points[s[1]], points[s[2]], points[v]) == 0; });
+    });
+    if (known) continue;
+    if (planes.size() == most_planes) return std::nullopt;
+    for (const Vec3& p : points)
+      if (side(points[t[0]], points[t[1]], points[t[2]], p) > 0) return std::nullopt;
+    taken.push_back(t);
+    const Vec3 normal = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+    planes.push_back(HalfSpace::make(points[t[0]], normal.normalized()));
+  }
+  return planes;
+}
+
 class Offsetting {
  public:
   Offsetting(double error, const Options& options) : error_(error), options_(options) {}
@@ -18,7 +45,10 @@ class Offsetting {
   Expression of(const Expression& e, double r) const {
     using Kind = Expression::Kind;
     switch (e.kind()) {
-      case Kind::polyhedron: return Expression(OffsetSolid::make(e.polyhedron(), r));
+      case Kind::polyhedron:
+        if (r < 0)
+          if (const auto planes = planes_of_convex(*e.polyhedron())) return moved_in(e, *planes, r);
+        return Expression(OffsetSolid::make(e.polyhedron(), r));
       case Kind::half_space: {
         HalfSpace moved = e.half_space();
         moved.point += r * moved.normal.normalized();
@@ -60,13 +90,40 @@ class Offsetting {
     return result;
   }
 
-  // Balls and tori that were only moved.
+  // The erosion of an intersection is that of its parts, and of a half-space that is the half-space moved: so a convex polyhedron's
+  // has flat faces and sharp edges. The solid itself bounds what the half-spaces alone do not.
+  static Expression moved_in(const Expression& solid, const std::vector<HalfSpace>& planes, double r) {
+    std::vector<Expression> parts{solid};
+    for (HalfSpace plane : planes) {
+      plane.point += r * plane.normal;
+      parts.emplace_back(plane);
+    }
+    return Expression::intersection(parts);
+  }
+
+  // Balls, tori, and inward cylinders and cones, that were only moved: see moved_in().
   static CurvedSolidPtr closed_form(const CurvedSolid& solid, double r) {
     const std::vector<double>& p = solid.parameters();
     if (!solid.maps().empty()) return nullptr;
     if (solid.kind() == CurvedSolid::Kind::sphere && p[3] + r > 0) return CurvedSolid::sphere({p[0], p[1], p[2]}, p[3] + r);
     if (solid.kind() == CurvedSolid::Kind::torus && p[7] + r > 0 && p[7] + r < p[6])
       return CurvedSolid::torus({p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6], p[7] + r);
+    if (r < 0 && solid.kind() == CurvedSolid::Kind::cylinder && p[6] + r > 0 && p[7] + 2 * r > 0) {
+      const Vec3 axis = Vec3(p[3], p[4], p[5]).normalized();
+      return CurvedSolid::cylinder(Vec3(p[0], p[1], p[2]) - r * axis, axis, p[6] + r, p[7] + 2 * r);
+    }
+    if (r < 0 && solid.kind() == CurvedSolid::Kind::cone) {
+      // Radii where the moved cone meets the moved ends.
+      const Vec3 axis = Vec3(p[3], p[4], p[5]).normalized();
+      const double slope = (p[7] - p[6]) / p[8], in = r * std::sqrt(1 + slope * slope);
+      const double radius1 = p[6] - slope * r + in, radius2 = p[7] + slope * r + in, height = p[8] + 2 * r;
+      const Vec3 base = Vec3(p[0], p[1], p[2]) - r * axis;
+      // The moved cone may end in its tip before it reaches an end.
+      if (radius1 > 0 && radius2 <= 0 && slope < 0 && height > 0) return CurvedSolid::cone(base, axis, radius1, 0, -radius1 / slope);
+      if (radius2 > 0 && radius1 <= 0 && slope > 0 && height > 0)
+        return CurvedSolid::cone(base + (height - radius2 / slope) * axis, axis, 0, radius2, radius2 / slope);
+      if (radius1 > 0 && radius2 > 0 && height > 0) return CurvedSolid::cone(base, axis, radius1, radius2, height);
+    }
     return nullptr;
   }
 
