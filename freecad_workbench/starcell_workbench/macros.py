@@ -10,6 +10,7 @@ import FreeCAD
 
 from . import lengths
 from .boolean_feature import Cut, Intersection, Union
+from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .operation_feature import recompute
 from .rescue_feature import Rescue
 from .solid_feature import ToSolid
@@ -33,6 +34,37 @@ def make_intersection(objects, error=None, contact=None, label=None, document=No
 def make_rescue(obj, error=None, contact=None, label=None, document=None):
     """The history of `obj` (Booleans, compounds, mirror images and links of Part) computed anew, all at once."""
     return make(Rescue, {"Source": obj}, error, contact, label, document)
+
+
+def make_offset(obj, distance, error=None, contact=None, label=None, document=None):
+    """`obj` made thicker (distance > 0, rounded edges) or thinner (< 0); distance: mm, or a text with a unit."""
+    return _make_morphology(Offset, obj, "Distance", lengths.parse(distance, "distance"), error, contact, label, document)
+
+
+def make_shell(obj, thickness, error=None, contact=None, label=None, document=None):
+    """A wall about the surface of `obj`: outside it (thickness > 0) or inside (< 0); mm, or a text with a unit."""
+    return _make_morphology(Shell, obj, "Thickness", lengths.parse(thickness, "thickness"), error, contact, label, document)
+
+
+def make_erode(obj, radius, error=None, contact=None, label=None, document=None):
+    """What of `obj` is farther than `radius` from its surface."""
+    return _make_morphology(Erode, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
+
+
+def make_opening(obj, radius, error=None, contact=None, label=None, document=None):
+    """`obj` with convex edges rounded by `radius`, without what is thinner than twice that."""
+    return _make_morphology(Opening, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
+
+
+def make_closing(obj, radius, error=None, contact=None, label=None, document=None):
+    """`obj` with concave edges rounded by `radius`, and what is narrower than twice that filled."""
+    return _make_morphology(Closing, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
+
+
+def _make_morphology(operation, obj, name, amount, error, contact, label, document):
+    if amount == 0:
+        raise ValueError("{}: must not be 0.".format(name.lower()))
+    return make(operation, {"Source": obj}, error, contact, label, document, **{name: amount})
 
 
 def make_solid(source, label=None, document=None):

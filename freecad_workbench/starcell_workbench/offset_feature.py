@@ -1,0 +1,78 @@
+"""Offset, shell, opening and closing (T§4.2): morphology of one solid with a ball."""
+import FreeCAD
+
+from .operation_feature import OperationFeature, Parameter, Role
+from .translation import QT_TRANSLATE_NOOP, translate
+
+
+class _Morphology(OperationFeature):
+    call = ""  # the engine's function of a solid and an amount
+    roles = (Role("Source", QT_TRANSLATE_NOOP("App::Property", "The solid to work on"), many=False),)
+
+    def compute(self, starcell, solids, values, options):
+        amount = values[self.parameters[0].name]
+        return getattr(starcell, self.call)(solids["Source"], amount, **options)
+
+    def grown(self, amount):
+        """How far the result may reach beyond the source."""
+        return 0.0
+
+    def _automatic_error(self, obj, given):
+        # The result's size is known only with the amount.
+        box = FreeCAD.BoundBox(given["Source"].box)
+        box.enlarge(self.grown(getattr(obj, self.parameters[0].name).Value))
+        if not box.isValid() or obj.ErrorDivisor < 1:
+            return super()._automatic_error(obj, given)
+        return max(box.XLength, box.YLength, box.ZLength) / obj.ErrorDivisor
+
+
+class Offset(_Morphology):
+    command = "StarCell_Offset"
+    title = QT_TRANSLATE_NOOP("StarCell", "Offset")
+    help = QT_TRANSLATE_NOOP("StarCell", "Makes a solid thicker or thinner by the same amount everywhere, with a proved topology and distance")
+    call = "offset"
+    parameters = (Parameter("Distance", "App::PropertyDistance", QT_TRANSLATE_NOOP(
+        "App::Property", "How far the surface moves: above 0 outward, with rounded edges; below 0 inward"), default=1.0),)
+
+    def grown(self, amount):
+        return max(0.0, amount)
+
+    def published(self, obj, result):
+        if not len(result.triangles):
+            obj.Report += "\n" + translate("StarCell", "Nothing is left: the solid is nowhere thicker than twice that distance.")
+
+
+class Shell(_Morphology):
+    command = "StarCell_Shell"
+    title = QT_TRANSLATE_NOOP("StarCell", "Shell")
+    help = QT_TRANSLATE_NOOP("StarCell", "Makes a wall of even thickness about a solid's surface, with a proved topology and distance")
+    call = "shell"
+    parameters = (Parameter("Thickness", "App::PropertyDistance", QT_TRANSLATE_NOOP(
+        "App::Property", "Thickness of the wall: above 0 outside the solid, below 0 inside"), default=1.0),)
+
+    def grown(self, amount):
+        return max(0.0, amount)
+
+
+class Erode(_Morphology):
+    command = "StarCell_Erode"
+    title = QT_TRANSLATE_NOOP("StarCell", "Erode")
+    help = QT_TRANSLATE_NOOP("StarCell", "Keeps what of a solid is farther than a radius from its surface")
+    call = "erode"
+    parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the ball"), default=1.0),)
+
+
+class Opening(_Morphology):
+    command = "StarCell_Opening"
+    title = QT_TRANSLATE_NOOP("StarCell", "Opening")
+    help = QT_TRANSLATE_NOOP("StarCell", "Rounds convex edges with a constant radius, and removes what is thinner than twice that")
+    call = "opening"
+    parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the rounding"), default=1.0),)
+
+
+class Closing(_Morphology):
+    command = "StarCell_Closing"
+    title = QT_TRANSLATE_NOOP("StarCell", "Closing")
+    help = QT_TRANSLATE_NOOP("StarCell", "Rounds concave edges with a constant radius, and fills what is narrower than twice that")
+    call = "closing"
+    parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the rounding"), default=1.0),)

@@ -1,0 +1,70 @@
+"""Offsets, shells, openings and closings of document objects: closed forms, what follows a change, and what is refused."""
+import math
+
+from support import DocumentTest
+
+import starcell_workbench as scw
+
+
+def steiner(a, b, c, r):
+    """Volume of a box grown by a ball of radius r (Steiner 1840)."""
+    return a * b * c + 2 * (a * b + b * c + c * a) * r + math.pi * (a + b + c) * r * r + 4 * math.pi / 3 * r ** 3
+
+
+class Offsets(DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.a = self.doc.addObject("Part::Box", "A")
+        self.a.Length, self.a.Width, self.a.Height = 10, 8, 6
+        self.doc.recompute()
+
+    def assertResult(self, obj, volume, genus, relative=0.02):
+        self.assertTrue(obj.isValid(), obj.getStatusString())
+        self.assertIn(obj.Verdict, ("exact", "contact"))
+        self.assertEqual(list(obj.Genus), genus)
+        self.assertAlmostEqual(obj.Mesh.Volume, volume, delta=relative * volume)
+
+    def test_outward_is_rounded(self):
+        self.assertResult(scw.make_offset(self.a, 1, error=0.1), steiner(10, 8, 6, 1), [0])
+
+    def test_inward_is_sharp_and_follows_its_source(self):
+        obj = scw.make_offset(self.a, "-0.5 mm")
+        self.assertResult(obj, 9 * 7 * 5, [0], relative=1e-6)
+        self.a.Length = 12
+        self.doc.recompute()
+        self.assertResult(obj, 11 * 7 * 5, [0], relative=1e-6)
+        obj.Distance = -1
+        self.doc.recompute()
+        self.assertResult(obj, 10 * 6 * 4, [0], relative=1e-6)
+
+    def test_what_vanishes_is_empty_and_says_so(self):
+        obj = scw.make_offset(self.a, -3.5)
+        self.assertTrue(obj.isValid(), obj.getStatusString())
+        self.assertEqual((obj.Components, obj.Mesh.CountFacets), (0, 0))
+        self.assertIn("Nothing is left", obj.Report)
+
+    def test_curved_primitives_stay_exact_where_there_is_a_closed_form(self):
+        ball = self.doc.addObject("Part::Sphere", "Ball")
+        ball.Radius = 5
+        self.doc.recompute()
+        self.assertResult(scw.make_offset(ball, 1, error=0.1), 4 / 3 * math.pi * 216, [0], relative=0.03)
+
+    def test_shells(self):
+        self.assertResult(scw.make_shell(self.a, -1, error=0.2), 480 - 8 * 6 * 4, [0, 0], relative=1e-6)
+        self.assertResult(scw.make_shell(self.a, 1, error=0.2), steiner(10, 8, 6, 1) - 480, [0, 0])
+
+    def test_erode_and_opening(self):
+        self.assertResult(scw.make_erode(self.a, 1), 8 * 6 * 4, [0], relative=1e-6)
+        self.assertResult(scw.make_opening(self.a, 1, error=0.2), steiner(8, 6, 4, 1), [0])
+
+    def test_closing_leaves_a_convex_solid_alone(self):
+        self.assertResult(scw.make_closing(self.a, 1, error=0.5), 480, [0], relative=0.05)
+
+    def test_refusals_leave_the_document_as_it_was(self):
+        before = len(self.doc.Objects)
+        for call in (lambda: scw.make_offset(self.a, 0), lambda: scw.make_offset(self.a, "3 kg"), lambda: scw.make_opening(self.a, -1)):
+            with self.assertRaises(ValueError):
+                call()
+        with self.assertRaises(TypeError):
+            scw.make_offset(self.a, None)
+        self.assertEqual(len(self.doc.Objects), before)
