@@ -461,6 +461,22 @@ std::vector<std::vector<std::uint32_t>> DistanceSurface::convex_sheets() const {
   return sheets;
 }
 
+// One a plane of the solid, moved; the faces that count as lying on it may be off it a little.
+std::vector<FlatPiece> DistanceSurface::planes() const {
+  const MeshFeatures& f = *features_;
+  std::vector<FlatPiece> planes;
+  for (const std::uint32_t face : f.first_on_plane) {
+    const Vec3& n = f.faces[face].normal;
+    planes.push_back({n, n.dot(f.corner(face, 0)) + offset_, rounding_at(Vec3::Zero()) + f.faces[face].loss * f.scale()});
+  }
+  for (std::uint32_t face = 0; face < f.size(); ++face) {
+    FlatPiece& plane = planes[f.plane_of[face]];
+    for (int k = 0; k < 3; ++k)
+      plane.thickness = std::max(plane.thickness, std::abs(plane.normal.dot(f.corner(face, k)) + offset_ - plane.offset) + rounding_at(Vec3::Zero()));
+  }
+  return planes;
+}
+
 std::vector<SmoothSurfacePtr> DistanceSurface::parts() const {
   if (side_ == 0 || !simple()) return {};
   auto sheets = convex_sheets();
@@ -472,6 +488,7 @@ std::vector<SmoothSurfacePtr> DistanceSurface::parts() const {
     part->find_local();
     const Rounding rounding;
     const Sight sight = part->look(center, reach);
+    if (!sight.seen.empty() && part->coplanar(sight)) part->plane_ = features_->plane_of[sight.seen.front()->id];
     if (sight.seen.size() == 1 && sight.seen.front()->kind != Kind::face)
       parts.push_back(part->on_one(*sight.seen.front()));
     else

@@ -25,6 +25,8 @@ class DistanceSurface final : public SmoothSurface {
   SmoothSurfacePtr restricted(const Box3& box) const override;
   std::vector<SmoothSurfacePtr> parts() const override;
   bool least_of_parts() const override { return side_ >= 0; }
+  std::vector<FlatPiece> planes() const override;
+  std::optional<std::size_t> plane() const override { return plane_; }
   bool simple() const override { return !local_.empty(); }
 
  private:
@@ -78,6 +80,7 @@ class DistanceSurface final : public SmoothSurface {
   std::vector<std::uint32_t> faces_;   // ascending
   Box3 box_;
   std::vector<Local> local_;           // empty: too many
+  std::optional<std::size_t> plane_;   // a part that is flat in its box
   bool all_behind_ = false;            // seen from its side, every face is behind all others' planes
 };
 

@@ -22,6 +22,7 @@ MeshFeatures::MeshFeatures(PolyhedronPtr solid) : solid_(std::move(solid)) {
   make_faces();
   make_edges();
   make_vertices();
+  make_planes();
 }
 
 void MeshFeatures::make_faces() {
@@ -76,6 +77,27 @@ void MeshFeatures::make_edges() {
       edge_of[f][k] = static_cast<std::uint32_t>(edges.size());
       edges.push_back(e);
     }
+}
+
+void MeshFeatures::make_planes() {
+  plane_of.assign(faces.size(), UINT32_MAX);
+  std::vector<std::uint32_t> front;
+  for (std::uint32_t seed = 0; seed < faces.size(); ++seed) {
+    if (plane_of[seed] != UINT32_MAX) continue;
+    const auto plane = static_cast<std::uint32_t>(first_on_plane.size());
+    first_on_plane.push_back(seed);
+    plane_of[seed] = plane;
+    front.assign(1, seed);
+    while (!front.empty()) {
+      const std::uint32_t f = front.back();
+      front.pop_back();
+      for (const std::uint32_t id : edge_of[f]) {
+        const Edge& e = edges[id];
+        const std::uint32_t g = e.faces[0] == f ? e.faces[1] : e.faces[0];
+        if (e.bend == Bend::flat && plane_of[g] == UINT32_MAX) plane_of[g] = plane, front.push_back(g);
+      }
+    }
+  }
 }
 
 void MeshFeatures::make_vertices() {

@@ -56,6 +56,8 @@ class MeshFeatures {
   std::vector<Edge> edges;
   std::vector<std::array<std::uint32_t, 3>> edge_of;    ///< per triangle: its edges, from corner k to the next
   std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> plane_of;                  ///< per triangle: faces joined by flat edges have one number
+  std::vector<std::uint32_t> first_on_plane;            ///< per plane: its first triangle
   std::vector<std::uint32_t> faces_about;               ///< per vertex: first_about[v] .. first_about[v+1]
   std::vector<std::uint32_t> first_about;
 
@@ -63,6 +65,7 @@ class MeshFeatures {
   void make_faces();
   void make_edges();
   void make_vertices();
+  void make_planes();
 
   PolyhedronPtr solid_;
   double scale_ = 0;

@@ -58,6 +58,13 @@ struct RoundShape {
   double b = 0;        ///< of a torus the minor radius
 };
 
+/// A plane normal . x = offset, as nearly as doubles have it, and how far what lies on it may be from it.
+struct FlatPiece {
+  Vec3 normal;
+  double offset;
+  double thickness;
+};
+
 class SmoothSurface {
  public:
   virtual ~SmoothSurface() = default;
@@ -74,6 +81,10 @@ class SmoothSurface {
   /// or too many.
   virtual std::vector<std::shared_ptr<const SmoothSurface>> parts() const { return {}; }
   virtual bool least_of_parts() const { return true; }
+  /// The planes on which flat pieces of the surface lie, where it has such pieces.
+  virtual std::vector<FlatPiece> planes() const { return {}; }
+  /// In the box it was restricted to: which of the whole surface's planes it is, if it is one.
+  virtual std::optional<std::size_t> plane() const { return std::nullopt; }
   /// May it be looked at as a patch of a cell? Otherwise the cell has to be smaller.
   virtual bool simple() const { return true; }
   virtual std::optional<RoundShape> round_shape() const { return std::nullopt; }

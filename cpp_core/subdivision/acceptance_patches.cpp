@@ -47,7 +47,7 @@ bool Acceptance::near_enough(Sheet& sheet, const Loop& loop, const Box3& box) co
 Sheet Acceptance::class_sheet(const Patches& patches, const PatchClass& c, const Vec3& u, const Box3& box) const {
   std::vector<std::uint32_t> planes;
   for (const std::size_t k : c.patches)
-    if (!patches.at(k).form) planes.push_back(patches.surface(k));
+    if (patches.plane(k) != no_surface) planes.push_back(patches.plane(k));
   if (planes.size() == c.patches.size()) {
     std::sort(planes.begin(), planes.end());
     if (auto sheet = concurrent_sheet(restriction_, box, planes, {})) return std::move(*sheet);

@@ -148,7 +148,7 @@ class FaceStar {
   }
 
   std::uint32_t plane_or_none(std::size_t patch) const {
-    return patches_.at(patch).form ? no_surface : patches_.surface(patch);
+    return patches_.plane(patch);   // no_surface, if it is none
   }
 
   bool inside(const Face& face, const Vec3& p) const {

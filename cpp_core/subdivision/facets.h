@@ -44,6 +44,7 @@ struct Region {
   std::uint32_t surface = 0;
   bool complement = false;
   std::uint32_t body = 0;   ///< the first operand of the solid that it bounds: they move together
+  std::uint32_t first_plane = 0;   ///< the surface's planes are this one of the table and those after it
 };
 
 /// A region as it comes in: a smooth surface, or the plane that ends a curved solid. `box`: where it matters.

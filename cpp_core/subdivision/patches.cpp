@@ -21,14 +21,17 @@ std::size_t Patches::add(std::uint32_t surface) {
   const auto it = std::find(surfaces_.begin(), surfaces_.end(), surface);
   if (it != surfaces_.end()) return static_cast<std::size_t>(it - surfaces_.begin());
   surfaces_.push_back(surface);
+  planes_.push_back(table_->surfaces[surface].form ? UINT32_MAX : surface);
   here_.emplace_back(std::shared_ptr<void>(), &table_->surfaces[surface]);   // the table's: not owned
   return surfaces_.size() - 1;
 }
 
-std::size_t Patches::add_part(std::uint32_t surface, SmoothSurfacePtr form) {
-  Surface part = table_->surfaces[surface];
+std::size_t Patches::add_part(const Region& region, SmoothSurfacePtr form) {
+  Surface part = table_->surfaces[region.surface];
+  const auto plane = form->plane();
   part.form = std::move(form);
-  surfaces_.push_back(surface);
+  surfaces_.push_back(region.surface);
+  planes_.push_back(plane ? region.first_plane + static_cast<std::uint32_t>(*plane) : UINT32_MAX);
   here_.push_back(std::make_shared<const Surface>(std::move(part)));
   return surfaces_.size() - 1;
 }
@@ -43,7 +46,7 @@ bool Patches::add_region(const Region& region, const SmoothSurfacePtr& form) {
   if (parts.empty()) parts.push_back(form);
   // F < 0 where any part is, if it is the least of them; where all are, if it is the greatest.
   Form f{form->least_of_parts() != region.complement, {}};
-  for (SmoothSurfacePtr& part : parts) f.patches.emplace_back(add_part(region.surface, std::move(part)), region.complement);
+  for (SmoothSurfacePtr& part : parts) f.patches.emplace_back(add_part(region, std::move(part)), region.complement);
   forms_.push_back(std::move(f));
   return surfaces_.size() <= max_patches;
 }

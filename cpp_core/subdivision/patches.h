@@ -28,6 +28,8 @@ class Patches {
   std::size_t size() const { return surfaces_.size(); }
   /// The table's number for it: of several parts of one surface the same.
   std::uint32_t surface(std::size_t k) const { return surfaces_[k]; }
+  /// The table's plane that it is in the cell; UINT32_MAX: none.
+  std::uint32_t plane(std::size_t k) const { return planes_[k]; }
   /// What it is in the cell.
   const Surface& at(std::size_t k) const { return *here_[k]; }
   const std::shared_ptr<const Surface>& here(std::size_t k) const { return here_[k]; }
@@ -44,13 +46,13 @@ class Patches {
 
   explicit Patches(const FacetTable& table) : table_(&table) {}
   std::size_t add(std::uint32_t surface);
-  std::size_t add_part(std::uint32_t surface, SmoothSurfacePtr form);
+  std::size_t add_part(const Region& region, SmoothSurfacePtr form);
   bool add_region(const Region& region, const SmoothSurfacePtr& form);
   bool add_polyhedron(const FacetTable& table, const std::uint32_t* first, const std::uint32_t* last);
 
   const FacetTable* table_;
   const LocalExpression* expression_ = nullptr;
-  std::vector<std::uint32_t> surfaces_;
+  std::vector<std::uint32_t> surfaces_, planes_;
   std::vector<std::shared_ptr<const Surface>> here_;
   std::vector<Form> forms_;   // per slot
 };

@@ -18,7 +18,9 @@ class RegionTable {
     region.body = body;
     if (operand.form) {
       if (shift != Vec3::Zero()) moved.form = operand.form->translated(shift);
-      region.surface = smooth(moved);
+      const Known& known = smooth(moved);
+      region.surface = known.surface;
+      region.first_plane = known.first_plane;
     } else {
       moved.end.offset += operand.end.normal.dot(shift);
       region.surface = plane(moved, region.complement);
@@ -30,6 +32,7 @@ class RegionTable {
   struct Known {
     std::uint32_t surface;
     Box3 box;   // of all regions on it
+    std::uint32_t first_plane = 0;
   };
 
   bool near(const Box3& a, const Box3& b) const { return a.squaredExteriorDistance(b) <= contact_ * contact_; }
@@ -47,7 +50,7 @@ class RegionTable {
     return static_cast<std::uint32_t>(table_.surfaces.size() - 1);
   }
 
-  std::uint32_t smooth(const RegionOperand& operand) {
+  const Known& smooth(const RegionOperand& operand) {
     for (Known& known : smooth_) {
       if (!near(known.box, operand.box)) continue;
       const SmoothSurface& other = *table_.surfaces[known.surface].form;
@@ -55,13 +58,21 @@ class RegionTable {
       if (!apart || *apart > contact_) continue;
       share(known.surface, *apart);
       known.box.extend(operand.box);
-      return known.surface;
+      return known;
     }
     Surface s;
     s.normal = Vec3::Zero();
     s.form = operand.form;
-    smooth_.push_back({fresh(std::move(s)), operand.box});
-    return smooth_.back().surface;
+    const std::uint32_t id = fresh(std::move(s));
+    smooth_.push_back({id, operand.box, id + 1});
+    for (const FlatPiece& piece : operand.form->planes()) {
+      Surface flat;
+      flat.normal = piece.normal;
+      flat.offset = piece.offset;
+      flat.thickness = piece.thickness;
+      fresh(std::move(flat));
+    }
+    return smooth_.back();
   }
 
   // How far the planes are apart inside the box; planes of opposite sense are the same surface.
