@@ -85,6 +85,8 @@ py::object evaluate_expression(const Expression& expression, std::optional<doubl
   return object;
 }
 
+constexpr double preparing_share = 0.4;
+
 // An operation that prepares an expression, evaluated as any other.
 template <class Prepare>
 py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::optional<double> contact, const std::string& criterion,
@@ -94,9 +96,15 @@ py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::
   Options options = read_options(error, contact, criterion, threads, budget);
   std::optional<Expression> expression;
   Result result = run_interruptible(progress, [&](const Progress& report) {
-    options.progress = report;
-    const Prepared prepared = prepare(options);
+    // What is meshed on the way has the first part of the bar, if anything is.
+    double begun = 0;
+    options.progress = [&](double done, const std::string& stage) {
+      begun = preparing_share;
+      return report(preparing_share * done, stage);
+    };
+    Prepared prepared = prepare(options);
     expression = prepared.expression;
+    prepared.options.progress = [&](double done, const std::string& stage) { return report(begun + (1 - begun) * done, stage); };
     return evaluate(prepared.expression, prepared.options);
   });
   const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
