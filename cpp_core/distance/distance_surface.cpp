@@ -209,11 +209,7 @@ DistanceSurface::Sight DistanceSurface::look(const Vec3& center, const Vec3& rea
 Interval3 DistanceSurface::normals(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const {
   const MeshFeatures& f = *features_;
   if (feature.kind == Kind::face) {
-    const MeshFeatures::Face& face = f.faces[feature.id];
-    const Interval3 n = around(face.normal, face.loss);
-    // Beyond its own plane, outside the box that it was restricted to, the distance rises the other way.
-    const double height = (center - f.corner(feature.id, 0)).dot(face.normal), h = spread(face.normal, reach);
-    return side_ != 0 && side_ * height - h < -rounding_at(center) ? hull(n, around(-face.normal, face.loss)) : n;
+    return around(f.faces[feature.id].normal, f.faces[feature.id].loss);
   }
   const bool is_edge = feature.kind == Kind::edge;
   const Bend bend = is_edge ? f.edges[feature.id].bend : f.vertices[feature.id].bend;
@@ -313,7 +309,8 @@ Expansion DistanceSurface::expand(const Vec3& center, const Vec3& reach) const {
   const Interval s = sight.side > 0 ? distance : sight.side < 0 ? Interval(-sight.foot.high, -sight.foot.low) : Interval(-sight.foot.high, sight.foot.high);
   e.value = s - offset_;
   e.gradient = e.slope = any_direction();
-  if (sight.seen.empty()) return e;
+  // Beyond the solid's surface, outside the box it was restricted to, s is another function: nothing is said of it there.
+  if (sight.seen.empty() || (side_ != 0 && !(sight.least > 0))) return e;
   std::vector<Interval3> normals;
   for (const Local* feature : sight.seen) normals.push_back(this->normals(*feature, sight, center, reach));
   e.slope = normals.front();
