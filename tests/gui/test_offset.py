@@ -1,0 +1,43 @@
+"""The offset commands: offered for one solid, a parameter in the panel, and what the picture shows."""
+import FreeCADGui
+import window
+
+import starcell_workbench as scw
+from starcell_workbench.task_operation import OperationTask
+
+
+class Offset(window.WindowTest):
+    def setUp(self):
+        super().setUp()
+        self.doc, self.plate, self.rib, self.bore = window.block_with_bore()
+
+    def test_needs_one_object(self):
+        for name in ("StarCell_Offset", "StarCell_Shell", "StarCell_Erode", "StarCell_Opening", "StarCell_Closing"):
+            command = FreeCADGui.Command.get(name)
+            for picked, wanted in (((), False), ((self.plate,), True), ((self.plate, self.rib), False)):
+                window.select(*picked)
+                self.assertEqual(command.isActive(), wanted, name)
+
+    def test_a_fattened_part(self):
+        part = scw.make_union([self.plate, self.rib])
+        window.select(part)
+        FreeCADGui.runCommand("StarCell_Offset")
+        window.pump()
+        fat = self.doc.ActiveObject
+        self.assertTrue(fat.isValid(), fat.getStatusString())
+        self.assertEqual((fat.Verdict, list(fat.Genus), fat.Distance.Value), ("exact", [0], 1.0))
+        self.assertGreater(fat.Mesh.Volume, part.Mesh.Volume)
+        window.look(self.doc)
+        window.shot("offset", self.doc)
+
+    def test_the_panel_takes_a_distance_of_either_sign(self):
+        obj = scw.make_offset(self.plate, 1)
+        panel = OperationTask(obj)
+        panel.fields["Distance"].setText("-1 mm")
+        self.assertTrue(panel.apply())
+        self.assertEqual(obj.Distance.Value, -1)
+        self.assertLess(obj.Mesh.Volume, self.plate.Shape.Volume)
+        panel.fields["Distance"].setText("one")
+        self.assertFalse(panel.apply())
+        self.assertIn("Distance", panel.form.problem.text())
+        panel.reject()
