@@ -59,10 +59,10 @@ class Offsetting {
         break;
       case Kind::complement: return of(e.operands().front(), -r).complement();
       case Kind::set_union:
-        if (r > 0) return Expression::set_union(all_of(e, r));
+        if (r > 0) return Expression::set_union(parts_of(e, r));
         break;
       case Kind::intersection:
-        if (r < 0) return Expression::intersection(all_of(e, r));
+        if (r < 0) return Expression::intersection(parts_of(e, r));
         break;
       case Kind::offset: break;
     }
@@ -84,9 +84,23 @@ class Offsetting {
   }
 
  private:
-  std::vector<Expression> all_of(const Expression& e, double r) const {
-    std::vector<Expression> result;
-    for (const Expression& operand : e.operands()) result.push_back(of(operand, r));
+  // One by one where there are closed forms. The others are taken together: their faces may lie on one plane, and so would their
+  // offsets' surfaces, which have no identity.
+  std::vector<Expression> parts_of(const Expression& e, double r) const {
+    std::vector<Expression> result, others;
+    for (const Expression& operand : e.operands()) {
+      const bool closed = operand.kind() == Expression::Kind::half_space ||
+                          (operand.kind() == Expression::Kind::curved && closed_form(*operand.curved(), r));
+      if (closed)
+        result.push_back(of(operand, r));
+      else
+        others.push_back(operand);
+    }
+    if (others.size() == 1) result.push_back(of(others.front(), r));
+    if (others.size() > 1) {
+      const Expression all = e.kind() == Expression::Kind::set_union ? Expression::set_union(others) : Expression::intersection(others);
+      result.push_back(of(Expression(meshed(all)), r));
+    }
     return result;
   }
 

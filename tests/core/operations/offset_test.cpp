@@ -89,6 +89,19 @@ TEST(Offset, OfBallsAndUnionsNeedsNoMesh) {
   EXPECT_TRUE(joined.certificate.tessellated.empty());
 }
 
+// Two cuboids with four planes in common: offset one by one, their surfaces would coincide.
+TEST(Offset, OfAUnionWithCommonPlanes) {
+  const Expression angle = solid(block({0, 0, 0}, {2, 1, 1})) | solid(block({0, 0, 0}, {1, 2, 1}));
+  // Volume 3, faces of 2 * 3 + 8, five convex upright edges of length 1, rims of 2 * 8, ten corners of an eighth of a ball. At the concave
+  // edge the walls overlap in a square r^2, and the rims' quarter cylinders in twice the integral of r^2 - z^2.
+  const double r = 0.3;
+  const double expected = 3 + 14 * r + 5 * pi / 4 * r * r - r * r + 4 * pi * r * r + 5 * pi / 3 * r * r * r - 4.0 / 3 * r * r * r;
+  const Result result = offset(angle, r, 0.05);
+  EXPECT_EQ(result.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(topology(result), solid_ball());
+  EXPECT_NEAR(volume(result), expected, 0.01 * expected);
+}
+
 TEST(Offset, WhatHasNoClosedFormIsNamed) {
   const Expression rod(CurvedSolid::cylinder({0.1, 0.2, 0.3}, {1, 2, 3}, 1, 2));
   const Result r = offset(rod, 0.3, 0.1);
