@@ -13,10 +13,15 @@ namespace {
 
 constexpr double ulp = 2.3e-16;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// More faces than this are not looked at feature by feature: the cell has to be smaller.
+// More faces than this are not looked at feature by feature: the cell has to be smaller. Unless that does not help: many faces may
+// have one vertex, as the tip of a cone.
 constexpr std::size_t most_faces = 64;
+constexpr std::size_t most_about_a_vertex = 4096;
+constexpr double helps = 0.8;
 // More convex sheets than this are left in one piece.
 constexpr std::size_t most_sheets = 4;
+// Normals whose cosines with their mean are no less need no sheets of their own.
+constexpr double nearly_one = 0.8;
 
 // Bits of a face's mask: its interior, edge k, corner k.
 constexpr std::uint8_t face_bit = 0;
@@ -38,7 +43,7 @@ Interval3 any_direction() { return {Interval(-1, 1), Interval(-1, 1), Interval(-
 }  // namespace
 
 DistanceSurface::DistanceSurface(std::shared_ptr<const MeshFeatures> features, double offset)
-    : features_(std::move(features)), offset_(offset), whole_(true) {
+    : features_(std::move(features)), offset_(offset) {
   faces_.resize(features_->size());
   std::iota(faces_.begin(), faces_.end(), 0u);
   find_local();
@@ -53,7 +58,7 @@ double DistanceSurface::rounding_at(const Vec3& x) const { return 64 * ulp * (fe
 // faces about it are missing here.
 void DistanceSurface::find_local() {
   local_.clear();
-  if (faces_.size() > most_faces) return;
+  if (faces_.size() > (crowded_ ? most_about_a_vertex : most_faces)) return;
   const MeshFeatures& f = *features_;
   std::map<std::uint32_t, Local> edges, vertices;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -188,7 +193,7 @@ DistanceSurface::Sight DistanceSurface::look(const Vec3& center, const Vec3& rea
   sight.side = side_at(center, sight.foot);
   const double radius = reach.norm() * (1 + 4 * ulp);
   sight.least = std::max(0.0, -(radius - sight.foot.low));
-  std::array<std::uint8_t, most_faces> masks;
+  std::vector<std::uint8_t> masks(faces_.size());
   for (std::size_t i = 0; i < faces_.size(); ++i) masks[i] = mask(faces_[i], center, reach);
   const double d = sight.foot.high, loss = 4 * rounding_at(center);
   const Vec3 to_foot = d > 0 ? Vec3((center - sight.foot.place) / (center - sight.foot.place).norm()) : Vec3::Zero();
@@ -232,15 +237,19 @@ Interval3 DistanceSurface::normals(const Local& feature, const Sight& sight, con
       result = {component(0), component(1), component(2)};
     }
   }
-  // All its faces are there, so its nearest points lie among their normals.
-  if (feature.interior && cap.radius < 1.4 && (bend == Bend::convex || bend == Bend::concave)) {
+  // All its faces are there. If they bend one way, what is nearest to it lies among their normals. In any case they form a graph over
+  // the cap's axis, as steep as the cap is wide; the solid there holds the cone under that, and what is polar to a cone about the axis
+  // is a cone about it: the cap. (A part may be reached from its back, and only what bends both ways.)
+  const bool one_way = bend == Bend::convex || bend == Bend::concave;
+  if (feature.interior && cap.radius < 1.4 && (one_way || !split_)) {
     const Interval3 c = around(cap.axis, cap.radius * (1 + 1e-12));
-    result = {common(result.x, c.x), common(result.y, c.y), common(result.z, c.z)};
+    result = {common(c.x, result.x), common(c.y, result.y), common(c.z, result.z)};   // nothing in common: it is nearest nowhere
   }
   return result;
 }
 
 bool DistanceSurface::coplanar(const Sight& sight) const {
+  if (sight.seen.empty()) return false;
   const MeshFeatures& f = *features_;
   const Local& first = *sight.seen.front();
   for (const Local* feature : sight.seen) {
@@ -387,6 +396,7 @@ SmoothSurfacePtr DistanceSurface::restricted(const Box3& box) const {
   }
   auto result = std::shared_ptr<DistanceSurface>(new DistanceSurface(*this, std::move(faces), box));
   if (side_ == 0 && best.low > radius) result->side_ = side_at(center, best);
+  result->crowded_ = box_.isEmpty() ? false : static_cast<double>(result->faces_.size()) > helps * static_cast<double>(faces_.size());
   result->find_local();
   return result;
 }
@@ -474,14 +484,36 @@ std::vector<FlatPiece> DistanceSurface::planes() const {
   return planes;
 }
 
+// Do all normals that may occur lie within a narrow cone?
+bool DistanceSurface::nearly_flat(const Sight& sight, const Vec3& center, const Vec3& reach) const {
+  if (sight.seen.empty()) return false;
+  std::vector<Interval3> normals;
+  Vec3 sum = Vec3::Zero();
+  for (const Local* feature : sight.seen) {
+    normals.push_back(this->normals(*feature, sight, center, reach));
+    sum += Vec3(middle(normals.back().x), middle(normals.back().y), middle(normals.back().z));
+  }
+  if (!(sum.norm() > 0)) return false;
+  const Interval3 axis = enclose(Vec3(sum.normalized()));
+  return std::all_of(normals.begin(), normals.end(), [&](const Interval3& n) { return dot(n, axis).lower() > nearly_one; });
+}
+
 std::vector<SmoothSurfacePtr> DistanceSurface::parts() const {
   if (side_ == 0 || !simple()) return {};
+  const Vec3 center = box_.center(), reach = 0.5 * box_.sizes() * (1 + 4 * ulp);
+  {
+    // Splitting it would only hide what its rims' neighbours say.
+    const Rounding rounding;
+    const Sight sight = look(center, reach);
+    if (!coplanar(sight) && nearly_flat(sight, center, reach)) return {};
+  }
   auto sheets = convex_sheets();
   if (sheets.empty()) sheets = this->sheets();
-  const Vec3 center = box_.center(), reach = 0.5 * box_.sizes() * (1 + 4 * ulp);
   std::vector<SmoothSurfacePtr> parts;
   for (auto& sheet : sheets) {
     auto part = std::shared_ptr<DistanceSurface>(new DistanceSurface(*this, std::move(sheet), box_));
+    part->crowded_ = crowded_;
+    part->split_ = split_ || part->faces_.size() < faces_.size();
     part->find_local();
     const Rounding rounding;
     const Sight sight = part->look(center, reach);

@@ -67,6 +67,7 @@ class DistanceSurface final : public SmoothSurface {
   bool unique_feet(const Sight& sight) const;
   bool coplanar(const Sight& sight) const;
   void bend(Expansion& e, const Sight& sight, const std::vector<Interval3>& normals) const;
+  bool nearly_flat(const Sight& sight, const Vec3& center, const Vec3& reach) const;
   SmoothSurfacePtr on_one(const Local& feature) const;
   std::vector<std::vector<std::uint32_t>> sheets() const;
   std::vector<std::vector<std::uint32_t>> convex_sheets() const;
@@ -76,7 +77,8 @@ class DistanceSurface final : public SmoothSurface {
   std::shared_ptr<const MeshFeatures> features_;
   double offset_;
   int side_ = 0;                       // of the whole box: +1 outside the solid, -1 inside; 0: both or not known
-  bool whole_ = false;                 // all faces there are; faces_ is empty
+  bool crowded_ = false;               // a smaller box saw hardly fewer faces
+  bool split_ = false;                 // a part: other faces may be nearer
   std::vector<std::uint32_t> faces_;   // ascending
   Box3 box_;
   std::vector<Local> local_;           // empty: too many

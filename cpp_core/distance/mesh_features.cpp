@@ -121,7 +121,7 @@ void MeshFeatures::make_vertices() {
       if (e.bend != Bend::flat) vertices[v].bend = vertices[v].bend == Bend::flat || vertices[v].bend == e.bend ? e.bend : Bend::saddle;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     Vertex& vertex = vertices[v];
-    if (vertex.bend == Bend::flat || vertex.bend == Bend::saddle || !(vertex.pseudo_normal.norm() > 1e-9)) continue;
+    if (vertex.bend == Bend::flat || !(vertex.pseudo_normal.norm() > 1e-9)) continue;
     vertex.cap = {vertex.pseudo_normal.normalized(), 0};
     for (std::uint32_t i = first_about[v]; i < first_about[v + 1]; ++i) widen(vertex.cap, faces[faces_about[i]]);
   }

@@ -113,7 +113,7 @@ class Evaluation {
   // generic one comes to an end. Cells that stayed open name contacts that no vertex or edge showed.
   Try settle(const std::vector<Graze>& grazes) {
     // Curved surfaces may touch without any vertex or edge that shows it.
-    const bool look = !grazes.empty() || !operands_.regions.empty();
+    const bool look = !grazes.empty() || (!operands_.regions.empty() && operands_.size() > 1);
     Try best{best_run({}, look ? Engine::Effort::a_look : Engine::Effort::usual), {}, grazes};
     bool cut_short = look && !best.run.unresolved.empty();
     if (cut_short && best.run.exhausted && grazes.empty() && is_open(best)) {
@@ -183,7 +183,8 @@ class Evaluation {
   // Budgets that the user set hold for all attempts together; ours are there to end one that leads nowhere.
   bool out_of_budget(const Run& run) const {
     const Budget& budget = options_.budget;
-    return run.exhausted && (budget.max_cells > 0 || budget.max_bytes > 0 || !std::isinf(budget.max_seconds));
+    return run.exhausted && (budget.max_bytes > 0 || seconds_since(start_) >= budget.max_seconds ||
+                             (budget.max_cells > 0 && statistics_.cells.load() >= budget.max_cells));
   }
 
   // Tries another position of the grid where the first one is unlucky and the tree small enough; keeps the smallest tree.

@@ -94,12 +94,13 @@ Interval Expansion::along(const Vec3& u) const {
 // most 1/4. Where H varies by D about its middle, |D| times the same sum over |e|^2 is added. (By Taylor's theorem at x the excess
 // is the sum of w_i d_i . H_i d_i / 2, d_i from x to corner i, and the sum of w_i |d_i|^2 is that of w_i w_j |e|^2.)
 Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const {
-  double longest = 0;
-  for (const Vec3& e : edges) longest = std::max(longest, e.norm() * (1 + 1e-9));
-  // To first order: the slopes towards the corners differ by no more than their spread.
-  const Interval3 spread{Interval(0, (slope.x - slope.x).upper()), Interval(0, (slope.y - slope.y).upper()),
-                         Interval(0, (slope.z - slope.z).upper())};
-  const double first = (norm(spread) * longest).upper();
+  // To first order: with slopes g_i towards the corners, the excess is the sum over edges of w_i w_j e . (g_i - g_j).
+  double widest = 0;
+  for (const Vec3& e : edges) {
+    const Interval rise = along(e);
+    widest = std::max(widest, (Interval(rise.upper()) - rise.lower()).upper());
+  }
+  const double first = (Interval(widest) * pairs * (1 + 1e-9)).upper();
   double up = first, down = first, squares = 0;
   for (const Vec3& edge : edges) squares = std::max(squares, (dot(enclose(edge), enclose(edge)) * (1 + 1e-9)).upper());
   // A function that bends no more than m|x|^2 / 2 exceeds interpolation no more than that one does.

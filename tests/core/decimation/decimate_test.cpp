@@ -1,0 +1,173 @@
+// Decimation against its own words: topology by counting, embedding by the exact test, distances by brute force from both sides.
+#include "decimation/decimate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "decimation/star_map.h"
+#include "solids/self_intersection.h"
+
+namespace starcell {
+namespace {
+
+struct Sample {
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+};
+
+// A torus of n x m quads, its points jittered.
+Sample torus(std::uint32_t n, std::uint32_t m, double jitter, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> by(-jitter, jitter);
+  Sample s;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < m; ++j) {
+      const double u = 2 * M_PI * i / n, v = 2 * M_PI * j / m, r = 2 + 0.7 * std::cos(v);
+      s.vertices.emplace_back(r * std::cos(u) + by(random), r * std::sin(u) + by(random), 0.7 * std::sin(v) + by(random));
+      const std::uint32_t a = i * m + j, b = (i + 1) % n * m + j, c = (i + 1) % n * m + (j + 1) % m, d = i * m + (j + 1) % m;
+      s.triangles.push_back({a, b, c});
+      s.triangles.push_back({a, c, d});
+    }
+  return s;
+}
+
+// A cube whose sides are n x n squares each; the points of its sides are shared.
+Sample cube(int n) {
+  Sample s;
+  std::map<std::array<int, 3>, std::uint32_t> number;
+  const auto at = [&](std::array<int, 3> p) {
+    const auto [it, fresh] = number.emplace(p, static_cast<std::uint32_t>(s.vertices.size()));
+    if (fresh) s.vertices.emplace_back(p[0], p[1], p[2]);
+    return it->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool top : {false, true})
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const auto corner = [&](int di, int dj) {
+            std::array<int, 3> p{};
+            p[axis] = top ? n : 0, p[(axis + 1) % 3] = i + di, p[(axis + 2) % 3] = j + dj;
+            return at(p);
+          };
+          std::array<std::uint32_t, 4> q{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+          if (!top) std::swap(q[1], q[3]);
+          s.triangles.push_back({q[0], q[1], q[2]});
+          s.triangles.push_back({q[0], q[2], q[3]});
+        }
+  return s;
+}
+
+double to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
+  const double t = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (x - a - t * (b - a)).norm();
+}
+
+double to_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = (b - a).cross(c - a);
+  const bool over = n.cross(b - a).dot(x - a) >= 0 && n.cross(c - b).dot(x - b) >= 0 && n.cross(a - c).dot(x - c) >= 0;
+  return over ? std::abs(n.dot(x - a)) / n.norm() : std::min({to_segment(x, a, b), to_segment(x, b, c), to_segment(x, c, a)});
+}
+
+// The farthest that points of `from` are from `to`, at corners and random places of its triangles.
+double farthest(const std::vector<Vec3>& from, const std::vector<Triangle>& from_triangles, const std::vector<Vec3>& to,
+                const std::vector<Triangle>& to_triangles, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> weight(0, 1);
+  double farthest = 0;
+  for (const Triangle& t : from_triangles)
+    for (int k = 0; k < 3; ++k) {
+      Vec3 w(weight(random), weight(random), weight(random));
+      if (k == 0) w = Vec3(1, 0, 0);
+      const Vec3 p = (w[0] * from[t[0]] + w[1] * from[t[1]] + w[2] * from[t[2]]) / w.sum();
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Triangle& s : to_triangles) nearest = std::min(nearest, to_triangle(p, to[s[0]], to[s[1]], to[s[2]]));
+      farthest = std::max(farthest, nearest);
+    }
+  return farthest;
+}
+
+void expect_sound(const Sample& s, const Decimated& d, double most, int euler) {
+  EXPECT_LE(d.bound, most);
+  EXPECT_TRUE(connect(d.vertices, d.triangles).closed_manifold());
+  EXPECT_EQ(static_cast<int>(d.vertices.size()) - static_cast<int>(d.triangles.size()) / 2, euler);
+  const SelfIntersections met = find_self_intersections(d.vertices, d.triangles, TriangleHierarchy(d.vertices, d.triangles));
+  EXPECT_EQ(met.pairs.count + met.zero_area.count, 0u);
+  EXPECT_LE(farthest(s.vertices, s.triangles, d.vertices, d.triangles, 1), d.bound);
+  EXPECT_LE(farthest(d.vertices, d.triangles, s.vertices, s.triangles, 2), d.bound);
+}
+
+TEST(Decimate, KeepsATorusWithinItsBound) {
+  for (const double most : {0.03, 0.06, 0.2}) {
+    const Sample s = torus(40, 20, 0.01, 3);
+    const Decimated d = decimate(s.vertices, s.triangles, most);
+    expect_sound(s, d, most, 0);
+    EXPECT_LT(d.triangles.size(), s.triangles.size() * 3 / 4);
+  }
+}
+
+// Flat sides and sharp edges cost nothing: 12 triangles are left, and no distance but rounding.
+TEST(Decimate, TakesAllOfFlatSides) {
+  const Sample s = cube(6);
+  const Decimated d = decimate(s.vertices, s.triangles, 1e-6);
+  expect_sound(s, d, 1e-6, 2);
+  EXPECT_EQ(d.triangles.size(), 12u);
+  EXPECT_LT(d.bound, 1e-7);
+}
+
+// However much is allowed, a torus stays one.
+TEST(Decimate, NeverChangesTopology) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Sample s = torus(16, 8, 0.05, seed);
+    expect_sound(s, decimate(s.vertices, s.triangles, 1e3), 1e3, 0);
+  }
+}
+
+// Two sheets 0.02 apart, and far more allowed than that: they must not cross.
+TEST(Decimate, KeepsSheetsApart) {
+  Sample s = torus(30, 16, 0.0, 0);
+  const auto n = static_cast<std::uint32_t>(s.vertices.size());
+  for (std::uint32_t v = 0; v < n; ++v) {
+    const Vec3 p = s.vertices[v], center = 2 * Vec3(p.x(), p.y(), 0).normalized();
+    s.vertices.push_back(center + (p - center) * (0.68 / 0.7));
+  }
+  const std::size_t m = s.triangles.size();
+  for (std::size_t t = 0; t < m; ++t) s.triangles.push_back({s.triangles[t][0] + n, s.triangles[t][2] + n, s.triangles[t][1] + n});
+  expect_sound(s, decimate(s.vertices, s.triangles, 0.5), 0.5, 0);
+}
+
+TEST(Decimate, StopsWhenAsked) {
+  const Sample s = torus(40, 20, 0.01, 3);
+  EXPECT_GT(decimate(s.vertices, s.triangles, 0.2, [] { return false; }).triangles.size(), decimate(s.vertices, s.triangles, 0.2).triangles.size());
+}
+
+// A square pyramid's four sides against the same square cut in two by a diagonal: over the apex, which is as high as the pyramid.
+TEST(StarMap, FindsTheHeightBetweenDiscs) {
+  const std::vector<Vec3> rim{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Vec3 apex(0.5, 0.5, 0.3);
+  std::vector<MovedTriangle> before;
+  for (std::size_t k = 0; k < 4; ++k) before.push_back({{apex, rim[k], rim[(k + 1) % 4]}, 0.1});
+  std::vector<std::array<Vec3, 3>> fan;
+  for (std::size_t k = 0; k < 4; ++k) fan.push_back({Vec3(0.25, 0.5, 0), rim[k], rim[(k + 1) % 4]});
+  const auto moved = match(before, fan, Vec3(0, 0, 1));
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR((*moved)[1], 0.3 + 0.1, 1e-9);    // the pyramid's apex is over this one
+  EXPECT_NEAR((*moved)[3], 0.15 + 0.1, 1e-9);   // the pyramid is highest where the fan has its apex
+  // Folded over, but still over the fan: the apex beyond the fourth side, that side turned over.
+  for (MovedTriangle& t : before) t.corners[0] = Vec3(0.1, 0.5, 0.3), t.moved = 0;
+  before[3].corners = {Vec3(0.1, 0.5, 0.3), rim[3], Vec3(0.3, 0.5, 0)};
+  before.push_back({{Vec3(0.1, 0.5, 0.3), Vec3(0.3, 0.5, 0), rim[0]}, 0});
+  before.push_back({{Vec3(0.3, 0.5, 0), rim[3], rim[0]}, 0});
+  EXPECT_TRUE(match(before, fan, Vec3(0, 0, 1)));
+  before[3].corners[2] = before[4].corners[1] = before[5].corners[0] = Vec3(-0.1, 0.5, 0);   // beyond the rim
+  EXPECT_FALSE(match(before, fan, Vec3(0, 0, 1)));
+  EXPECT_FALSE(match(before, fan, Vec3(1, 0, 0)));   // seen on edge
+  std::swap(fan[0][1], fan[0][2]);
+  EXPECT_FALSE(match(before, fan, Vec3(0, 0, 1)));   // folded
+}
+
+}  // namespace
+}  // namespace starcell
