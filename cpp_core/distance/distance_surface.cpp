@@ -248,6 +248,21 @@ Interval3 DistanceSurface::normals(const Local& feature, const Sight& sight, con
   return result;
 }
 
+// The same, as a cap about the direction from the feature to the box's centre: nothing in the box is farther off that than the box's
+// radius.
+SlopeCap DistanceSurface::cap(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const {
+  const MeshFeatures& f = *features_;
+  const SlopeCap none{Vec3::UnitX(), Interval(-1), Interval(0)};
+  if (feature.kind == Kind::face) return {f.faces[feature.id].normal, Interval(1 - f.faces[feature.id].loss, 1), Interval(0, f.faces[feature.id].loss)};
+  if (side_ == 0 || !(sight.least > 0)) return none;
+  const Vec3 w = away(feature, center);
+  const double loss = rounding_at(center) + 8 * ulp * (center.norm() + f.scale() + reach.norm());
+  const Interval sine = Interval(reach.norm() + loss) / (Interval(w.norm()) - loss);
+  if (!(w.norm() > loss) || !(sine.upper() < 1) || !(sine.lower() > 0)) return none;
+  const Vec3 axis = side_ * w / w.norm();
+  return {axis, square_root(Interval(1.0) - squared(Interval(sine.upper()))), Interval(sine.upper())};
+}
+
 bool DistanceSurface::coplanar(const Sight& sight) const {
   if (sight.seen.empty()) return false;
   const MeshFeatures& f = *features_;
@@ -325,7 +340,9 @@ Expansion DistanceSurface::expand(const Vec3& center, const Vec3& reach) const {
   e.slope = normals.front();
   for (const Interval3& n : normals) e.slope = hull(e.slope, n);
   bend(e, sight, normals);
-  if (normals.size() > 1) e.slopes = std::move(normals);
+  if (side_ != 0) e.source = offset_;
+  for (const Local* feature : sight.seen) e.caps.push_back(cap(*feature, sight, center, reach));
+  e.slopes = std::move(normals);
   if (!e.smooth) return e;
   if (reach.isZero(0.0)) {
     e.gradient = e.slope;

@@ -64,6 +64,7 @@ class DistanceSurface final : public SmoothSurface {
   Sight look(const Vec3& center, const Vec3& reach) const;
   Vec3 away(const Local& feature, const Vec3& x) const;
   Interval3 normals(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const;
+  SlopeCap cap(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const;
   bool unique_feet(const Sight& sight) const;
   bool coplanar(const Sight& sight) const;
   void bend(Expansion& e, const Sight& sight, const std::vector<Interval3>& normals) const;

@@ -94,8 +94,10 @@ std::optional<Expression> grown(const Frustum& f, double r) {
     parts.emplace_back(CurvedSolid::cylinder(f.at(-r), f.axis, f.radius1, f.height + 2 * r));
   } else {
     parts.emplace_back(solid_of(f));
-    if (f.radius1 > 0) parts.emplace_back(CurvedSolid::cylinder(f.at(-r), f.axis, f.radius1, r));
-    if (f.radius2 > 0) parts.emplace_back(CurvedSolid::cylinder(f.at(f.height), f.axis, f.radius2, r));
+    // The slabs over the ends reach into the solid, no deeper than within r of it: their planes coincide with nothing.
+    const double deep = 0.5 * std::min(r, f.height);
+    if (f.radius1 > 0) parts.emplace_back(CurvedSolid::cylinder(f.at(-r), f.axis, f.radius1, r + deep));
+    if (f.radius2 > 0) parts.emplace_back(CurvedSolid::cylinder(f.at(f.height - deep), f.axis, f.radius2, r + deep));
   }
   for (const auto& [radius, z] : {std::pair{f.radius1, 0.0}, std::pair{f.radius2, f.height}})
     parts.emplace_back(radius > 0 ? CurvedSolid::torus(f.at(z), f.axis, radius, r) : CurvedSolid::sphere(f.at(z), r));
@@ -133,6 +135,9 @@ std::optional<Expression> closed_offset(const Expression& solid, double r) {
         if (const auto planes = planes_of_convex(*solid.polyhedron())) return moved_in(solid, *planes, r);
       return std::nullopt;
     case Expression::Kind::curved: return of_curved(*solid.curved(), r);
+    case Expression::Kind::complement:
+      if (const auto inner = closed_offset(solid.operands().front(), -r)) return inner->complement();
+      return std::nullopt;
     default: return std::nullopt;
   }
 }

@@ -80,7 +80,8 @@ class Offsetting {
     std::vector<Expression> result, others;
     for (const Expression& operand : e.operands()) {
       // A polyhedron's half-spaces would meet its neighbours' in one plane.
-      const auto closed = operand.kind() == Expression::Kind::polyhedron ? std::nullopt : closed_offset(operand, r);
+      const Expression& solid = operand.kind() == Expression::Kind::complement ? operand.operands().front() : operand;
+      const auto closed = solid.kind() == Expression::Kind::polyhedron ? std::nullopt : closed_offset(operand, r);
       if (closed)
         result.push_back(*closed);
       else

@@ -74,14 +74,34 @@ Interval Expansion::range() const {
   return {std::max(first.lower(), second.lower()), std::min(first.upper(), second.upper())};
 }
 
+// With angle A of the cap and B between axis and u, v . u lies between |u| cos(A + B) and |u| cos(A - B), or is |u| if u is in the cap.
+Interval SlopeCap::along(const Vec3& u) const {
+  const Interval3 v = enclose(u), a = enclose(axis);
+  const Interval length = norm(v);
+  if (!(cosine.lower() > 0)) return {-length.upper(), length.upper()};
+  const Interval straight = dot(a, v), aside = norm(cross(a, v));
+  // The axis is a unit vector only to rounding.
+  const Interval loss = length * Interval(-1e-14, 1e-14);
+  const Interval low = straight * cosine - aside * sine + loss, high = straight * cosine + aside * sine + loss;
+  const bool opposite = (straight * sine + aside * cosine).lower() < 0;       // -u may be in the cap: A + B > 180 degrees
+  const bool within = (aside * cosine - straight * sine).lower() < 0;         // u may be: B < A
+  return {opposite ? -length.upper() : std::max(-length.upper(), low.lower()), within ? length.upper() : std::min(length.upper(), high.upper())};
+}
+
 Interval Expansion::along(const Vec3& u) const {
   if (!slopes.empty()) {
-    Interval all = dot(slopes.front(), u);
-    for (const Interval3& s : slopes) {
-      const Interval one = dot(s, u);
-      all = Interval(std::min(all.lower(), one.lower()), std::max(all.upper(), one.upper()));
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+      Interval one = dot(slopes[i], u);
+      if (!caps.empty()) {
+        const Interval other = caps[i].along(u);
+        const double l = std::max(one.lower(), other.lower()), h = std::min(one.upper(), other.upper());
+        if (l <= h) one = Interval(l, h);
+      }
+      low = std::min(low, one.lower());
+      high = std::max(high, one.upper());
     }
-    return all;
+    return {low, high};
   }
   const Interval plain = dot(slope, u);
   if (!framed) return plain;
@@ -130,6 +150,30 @@ Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs) const
     down = std::min(down, std::max(0.0, (Interval(-curvature.lower()) * framed_squares * pairs * 0.5).upper()));
   }
   return {-down, up};
+}
+
+// On the piece F is at least its least corner less the excess: so far off it bends by no more than the inverse, which bounds the
+// excess again (it is below the corners for F < 0 the same way).
+Interval Expansion::excess(const std::array<Vec3, 3>& edges, double pairs, const Interval& values) const {
+  const Interval known = excess(edges, pairs);
+  if (source == 0) return known;
+  double squares = 0, most = source > 0 ? known.upper() : -known.lower();
+  for (const Vec3& edge : edges) squares = std::max(squares, (dot(enclose(edge), enclose(edge)) * (1 + 1e-9)).upper());
+  const Interval at_corners(source > 0 ? (Interval(values.lower()) + source).lower() : -(Interval(values.upper()) + source).upper());
+  for (int turn = 0; turn < 4; ++turn) {
+    const double far = (at_corners - most).lower();
+    if (!(far > 0)) break;
+    most = std::min(most, (Interval(squares) * pairs * 0.5 / far).upper());
+  }
+  return source > 0 ? Interval(known.lower(), most) : Interval(-most, known.upper());
+}
+
+Interval Expansion::excess(const Vec3& p, const Vec3& q, const Vec3& r, const Interval& values) const {
+  return excess({q - p, r - q, p - r}, 0.33333333333333337, values);
+}
+
+Interval Expansion::excess(const Vec3& p, const Vec3& q, const Interval& values) const {
+  return excess({q - p, Vec3::Zero(), Vec3::Zero()}, 0.25, values);
 }
 
 Interval Expansion::excess(const Vec3& p, const Vec3& q, const Vec3& r) const { return excess({q - p, r - q, p - r}, 0.33333333333333337); }

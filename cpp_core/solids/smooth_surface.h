@@ -15,6 +15,15 @@
 
 namespace starcell {
 
+/// All unit vectors within an angle of the axis.
+struct SlopeCap {
+  Vec3 axis;           ///< of unit length, to rounding
+  Interval cosine;     ///< of the angle; not positive: any direction
+  Interval sine;
+  /// v . u for all v of the cap. Needs a Rounding object.
+  Interval along(const Vec3& u) const;
+};
+
 /// An enclosure of F over the box c + [-reach, reach]; reach may be 0 along any axis (a face, an edge, a point).
 struct Expansion {
   Vec3 reach = Vec3::Zero();
@@ -23,6 +32,7 @@ struct Expansion {
   IntervalSymmetric hessian;   ///< over the box; of no meaning unless `smooth`
   Interval3 slope;             ///< the gradient over the box; at a kink Clarke's
   std::vector<Interval3> slopes;   ///< if any: it is in the convex hull of these, which `slope` encloses
+  std::vector<SlopeCap> caps;      ///< if any: one for each of `slopes`, which lies in it too
   bool smooth = true;          ///< false where F has a kink in the box (the tip of a cone): only `slope` holds
   /// Slope and second derivatives once more, in a frame where they are narrower than along the model's axes: the derivative along
   /// u is framed_slope . frame u, the second one frame u . framed_hessian frame u.
@@ -34,6 +44,9 @@ struct Expansion {
   /// F - m |x|^2 / 2 is concave in the box for m its upper end, convex for its lower end, smooth or not; infinite: not known.
   Interval bend{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
+  /// If not 0: |F + source| is the distance from something, and F bends by its inverse at most, upwards if source > 0, else downwards.
+  double source = 0;
+
   /// F over the box.
   Interval range() const;
   /// The derivative along u over the box.
@@ -41,9 +54,13 @@ struct Expansion {
   /// Linear interpolation minus F, on the triangle or segment between points of the box.
   Interval excess(const Vec3& p, const Vec3& q, const Vec3& r) const;
   Interval excess(const Vec3& p, const Vec3& q) const;
+  /// The same where F at the corners is known to lie in `values`: distances bend less, the farther off.
+  Interval excess(const Vec3& p, const Vec3& q, const Vec3& r, const Interval& values) const;
+  Interval excess(const Vec3& p, const Vec3& q, const Interval& values) const;
 
  private:
   Interval excess(const std::array<Vec3, 3>& edges, double pairs) const;
+  Interval excess(const std::array<Vec3, 3>& edges, double pairs, const Interval& values) const;
 };
 
 /// An expansion of a F + b G from those of F and G over the same box.

@@ -80,12 +80,13 @@ class Graph {
       for (std::size_t k = 0; k < n_; ++k) {
         const Expansion e = over(*surfaces_[k], box);
         const auto& [p, q, r] = piece.corners;
-        const Interval excess = sense(k) * (piece.size == 3 ? e.excess(p, q, r) : e.excess(p, q));
         double least = infinity, most = -infinity;
         for (std::size_t i = 0; i < piece.size; ++i) {
           least = std::min(least, (*heights[i])[k].lower());
           most = std::max(most, (*heights[i])[k].upper());
         }
+        const Interval values = sense(k) * Interval(least, most);
+        const Interval excess = sense(k) * (piece.size == 3 ? e.excess(p, q, r, values) : e.excess(p, q, values));
         above[k] = (Interval(excess.upper()) - least).upper();
         below[k] = (Interval(most) - excess.lower()).upper();
       }
