@@ -86,12 +86,13 @@ void DistanceSurface::find_local() {
 
 // By regions of the triangle's plane (Ericson 2005, 5.1.5), then enclosed whatever rounding did to it: no point of the triangle is
 // nearer than min over its corners of g . (x - corner), for any unit vector g.
-DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x) const {
+DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x, double* lows) const {
   const MeshFeatures& f = *features_;
   Foot best;
   double nearest = infinity;
   best.low = infinity;
-  for (const std::uint32_t face : faces_) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const std::uint32_t face = faces_[i];
     const MeshFeatures::Face& shape = f.faces[face];
     const Vec3 &a = f.corner(face, 0), &b = f.corner(face, 1), &c = f.corner(face, 2);
     const std::array<Vec3, 3> from{x - a, x - b, x - c};
@@ -117,8 +118,9 @@ DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x) const {
     }
     const Vec3 g = x - place;
     const double d = g.norm();
-    if (d > 0) best.low = std::min(best.low, std::min({g.dot(from[0]), g.dot(from[1]), g.dot(from[2])}) / d);
-    else best.low = 0;
+    const double low = d > 0 ? std::min({g.dot(from[0]), g.dot(from[1]), g.dot(from[2])}) / d : 0;
+    if (lows) lows[i] = low;
+    best.low = std::min(best.low, low);
     if (d < nearest) nearest = d, best.place = place, best.face = face, best.bit = bit;
   }
   const double loss = rounding_at(x);
@@ -188,18 +190,29 @@ Vec3 DistanceSurface::away(const Local& feature, const Vec3& x) const {
 // A feature counts if all its faces here say so. One that is farther than the foot everywhere in the box does not: its own distance
 // is convex, the foot's has second derivatives of at most 1 / distance.
 DistanceSurface::Sight DistanceSurface::look(const Vec3& center, const Vec3& reach) const {
+  thread_local std::vector<double> all_lows;
+  thread_local std::vector<std::uint8_t> all_masks;
+  all_lows.resize(faces_.size());
+  all_masks.assign(faces_.size(), 0);
+  double* const lows = all_lows.data();
+  std::uint8_t* const masks = all_masks.data();
   Sight sight;
-  sight.foot = foot_at(center);
+  sight.foot = foot_at(center, lows);
   sight.side = side_at(center, sight.foot);
   const double radius = reach.norm() * (1 + 4 * ulp);
   sight.least = std::max(0.0, -(radius - sight.foot.low));
-  std::vector<std::uint8_t> masks(faces_.size());
-  for (std::size_t i = 0; i < faces_.size(); ++i) masks[i] = mask(faces_[i], center, reach);
   const double d = sight.foot.high, loss = 4 * rounding_at(center);
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+    if (lows[i] <= d + 2 * radius + loss) masks[i] = mask(faces_[i], center, reach);
   const Vec3 to_foot = d > 0 ? Vec3((center - sight.foot.place) / (center - sight.foot.place).norm()) : Vec3::Zero();
   const double curve = d > radius ? radius * radius / (2 * (sight.foot.low - radius)) : infinity;
   for (const Local& feature : local_) {
-    if (!std::all_of(feature.bits.begin(), feature.bits.end(), [&](const auto& b) { return masks[b.first] >> b.second & 1; })) continue;
+    bool possible = true;
+    for (const auto& [face, bit] : feature.bits) {
+      possible = masks[face] >> bit & 1;
+      if (!possible) break;
+    }
+    if (!possible) continue;
     const Vec3 g = away(feature, center);
     const double far = g.norm();
     const double slack = feature.kind == Kind::face ? features_->faces[feature.id].loss * (far + radius + d) * 4 : 0;

@@ -58,7 +58,8 @@ class DistanceSurface final : public SmoothSurface {
 
   DistanceSurface(const DistanceSurface& whole, std::vector<std::uint32_t> faces, const Box3& box);
   void find_local();
-  Foot foot_at(const Vec3& x) const;
+  /// `lows`, if given: per face, what its distance is at least, to rounding.
+  Foot foot_at(const Vec3& x, double* lows = nullptr) const;
   int side_at(const Vec3& x, const Foot& foot) const;
   std::uint8_t mask(std::uint32_t face, const Vec3& center, const Vec3& reach) const;
   Sight look(const Vec3& center, const Vec3& reach) const;
