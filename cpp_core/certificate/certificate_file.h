@@ -33,6 +33,7 @@ struct StoredOperand {
 struct StoredOffset {
   std::uint32_t operand = 0;
   double distance = 0;
+  std::vector<std::uint32_t> faces;   ///< of the operand, what it is measured from; none: all of it
 };
 
 /// A node of the expression. A leaf refers to an operand, a half-space, a curved solid or an offset, an inner node to nodes before it.

@@ -198,7 +198,13 @@ CertificateFile read_file(const Value& root) {
   if (root.json.contains("offsets")) {
     const Value offsets = root["offsets"];
     for (std::size_t k = 0; k < offsets.size(); ++k) {
-      file.offsets.push_back({offsets.at(k)["operand"].index(file.operands.size()), offsets.at(k)["distance"].number()});
+      file.offsets.push_back({offsets.at(k)["operand"].index(file.operands.size()), offsets.at(k)["distance"].number(), {}});
+      StoredOffset& offset = file.offsets.back();
+      if (offsets.at(k).json.contains("faces")) {
+        const Value faces = offsets.at(k)["faces"];
+        for (std::size_t i = 0; i < faces.size(); ++i)
+          offset.faces.push_back(static_cast<std::uint32_t>(faces.at(i).index(file.operands[offset.operand].mesh.triangles.size())));
+      }
       if (!std::isfinite(file.offsets.back().distance) || file.offsets.back().distance == 0) offsets.at(k)["distance"].fail("is no distance");
     }
   }

@@ -83,7 +83,10 @@ Json to_json(const CertificateFile& file) {
   for (const HalfSpace& h : file.half_spaces)
     half_spaces.push_back({{"point", point(h.point)}, {"normal", point(h.normal)}});
   for (const CurvedSolidPtr& solid : file.curved) curved.push_back(curved_solid(*solid));
-  for (const StoredOffset& offset : file.offsets) offsets.push_back({{"operand", offset.operand}, {"distance", offset.distance}});
+  for (const StoredOffset& offset : file.offsets) {
+    offsets.push_back({{"operand", offset.operand}, {"distance", offset.distance}});
+    if (!offset.faces.empty()) offsets.back()["faces"] = offset.faces;
+  }
   for (const StoredNode& n : file.expression) expression.push_back(node(n));
   return {{"format", certificate_format},
           {"version", certificate_version},
@@ -114,7 +117,7 @@ class Storing {
       node.leaf = place->second;
     } else if (e.kind() == Expression::Kind::offset) {
       node.leaf = static_cast<std::uint32_t>(file_.offsets.size());
-      file_.offsets.push_back({operand(e.offset()->solid()), e.offset()->distance()});
+      file_.offsets.push_back({operand(e.offset()->solid()), e.offset()->distance(), e.offset()->faces()});
     } else {
       for (const Expression& child : e.operands()) node.children.push_back(store(child));
     }

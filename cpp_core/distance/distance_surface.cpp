@@ -49,8 +49,13 @@ DistanceSurface::DistanceSurface(std::shared_ptr<const MeshFeatures> features, d
   find_local();
 }
 
+DistanceSurface::DistanceSurface(std::shared_ptr<const MeshFeatures> features, std::vector<std::uint32_t> faces, double radius)
+    : features_(std::move(features)), offset_(radius), sheet_(true), side_(1), faces_(std::move(faces)) {
+  find_local();
+}
+
 DistanceSurface::DistanceSurface(const DistanceSurface& whole, std::vector<std::uint32_t> faces, const Box3& box)
-    : features_(whole.features_), offset_(whole.offset_), side_(whole.side_), faces_(std::move(faces)), box_(box) {}
+    : features_(whole.features_), offset_(whole.offset_), sheet_(whole.sheet_), towards_(whole.towards_), side_(whole.side_), faces_(std::move(faces)), box_(box) {}
 
 double DistanceSurface::rounding_at(const Vec3& x) const { return 64 * ulp * (features_->scale() + x.cwiseAbs().maxCoeff()); }
 
@@ -73,13 +78,13 @@ void DistanceSurface::find_local() {
   }
   const auto keep = [&](Local& feature, Bend bend, std::size_t faces_about) {
     feature.interior = feature.bits.size() == faces_about;
-    const bool never = bend == Bend::flat || (side_ > 0 && bend == Bend::concave) || (side_ < 0 && bend == Bend::convex);
+    const bool never = bend == Bend::flat || (!sheet_ && side_ > 0 && bend == Bend::concave) || (side_ < 0 && bend == Bend::convex);
     if (!feature.interior || !never) local_.push_back(std::move(feature));
   };
   for (auto& [id, feature] : edges) keep(feature, f.edges[id].bend, 2);
   for (auto& [id, feature] : vertices) keep(feature, f.vertices[id].bend, f.first_about[id + 1] - f.first_about[id]);
 
-  all_behind_ = side_ != 0;
+  all_behind_ = side_ != 0 && !sheet_;
   for (std::size_t i = 0; i < faces_.size() && all_behind_; ++i)
     for (std::size_t j = 0; j < faces_.size() && all_behind_; ++j) all_behind_ = i == j || behind(faces_[j], faces_[i]);
 }
@@ -164,7 +169,7 @@ std::uint8_t DistanceSurface::mask(std::uint32_t face, const Vec3& center, const
   std::uint8_t bits = 0;
   if (high[0] >= 0 && high[1] >= 0 && high[2] >= 0) {
     const double height = (center - f.corner(face, 0)).dot(shape.normal), h = spread(shape.normal, reach) + loss;
-    if (side_ == 0 || side_ * height + h >= 0) bits |= 1u << face_bit;
+    if (sheet_ || side_ == 0 || side_ * height + h >= 0) bits |= 1u << face_bit;
   }
   for (int k = 0; k < 3; ++k) {
     const auto e = static_cast<std::size_t>(k), before = static_cast<std::size_t>((k + 2) % 3);
@@ -223,11 +228,21 @@ DistanceSurface::Sight DistanceSurface::look(const Vec3& center, const Vec3& rea
   return sight;
 }
 
+// Which way its distance grows from a face in the box: outward, unless the face is of a sheet and the box behind it (0: both).
+int DistanceSurface::side_of(std::uint32_t face, const Vec3& center, const Vec3& reach) const {
+  if (!sheet_) return 1;
+  const MeshFeatures::Face& shape = features_->faces[face];
+  const Vec3 from = center - features_->corner(face, 0);
+  const double height = shape.normal.dot(from), h = spread(shape.normal, reach) + rounding_at(center) + shape.loss * (from.norm() + reach.norm());
+  return height > h ? 1 : height < -h ? -1 : 0;
+}
+
 // Of s, wherever the feature is nearest in the box.
 Interval3 DistanceSurface::normals(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const {
   const MeshFeatures& f = *features_;
   if (feature.kind == Kind::face) {
-    return around(f.faces[feature.id].normal, f.faces[feature.id].loss);
+    const int facing = side_of(feature.id, center, reach);
+    return facing == 0 ? any_direction() : around(facing * f.faces[feature.id].normal, f.faces[feature.id].loss);
   }
   const bool is_edge = feature.kind == Kind::edge;
   const Bend bend = is_edge ? f.edges[feature.id].bend : f.vertices[feature.id].bend;
@@ -254,7 +269,7 @@ Interval3 DistanceSurface::normals(const Local& feature, const Sight& sight, con
   // the cap's axis, as steep as the cap is wide; the solid there holds the cone under that, and what is polar to a cone about the axis
   // is a cone about it: the cap. (A part may be reached from its back, and only what bends both ways.)
   const bool one_way = bend == Bend::convex || bend == Bend::concave;
-  if (feature.interior && cap.radius < 1.4 && (one_way || !split_)) {
+  if (!sheet_ && feature.interior && cap.radius < 1.4 && (one_way || !split_)) {
     const Interval3 c = around(cap.axis, cap.radius * (1 + 1e-12));
     result = {common(c.x, result.x), common(c.y, result.y), common(c.z, result.z)};   // nothing in common: it is nearest nowhere
   }
@@ -266,7 +281,11 @@ Interval3 DistanceSurface::normals(const Local& feature, const Sight& sight, con
 SlopeCap DistanceSurface::cap(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const {
   const MeshFeatures& f = *features_;
   const SlopeCap none{Vec3::UnitX(), Interval(-1), Interval(0)};
-  if (feature.kind == Kind::face) return {f.faces[feature.id].normal, Interval(1 - f.faces[feature.id].loss, 1), Interval(0, f.faces[feature.id].loss)};
+  if (feature.kind == Kind::face) {
+    const int facing = side_of(feature.id, center, reach);
+    if (facing == 0) return none;
+    return {facing * f.faces[feature.id].normal, Interval(1 - f.faces[feature.id].loss, 1), Interval(0, f.faces[feature.id].loss)};
+  }
   if (side_ == 0 || !(sight.least > 0)) return none;
   const Vec3 w = away(feature, center);
   const double loss = rounding_at(center) + 8 * ulp * (center.norm() + f.scale() + reach.norm());
@@ -385,7 +404,9 @@ SmoothSurfacePtr DistanceSurface::translated(const Vec3& by) const {
   std::vector<Vec3> moved = features_->solid()->vertices();
   for (Vec3& p : moved) p += by;
   const auto solid = Polyhedron::trusted(std::move(moved), features_->solid()->triangles(), features_->solid()->provenance());
-  return std::make_shared<DistanceSurface>(std::make_shared<const MeshFeatures>(solid), offset_);
+  const auto features = std::make_shared<const MeshFeatures>(solid);
+  if (sheet_) return std::make_shared<DistanceSurface>(features, faces_, offset_);
+  return std::make_shared<DistanceSurface>(features, offset_);
 }
 
 // What is nearest at some point of the box is no farther from its centre than the nearest face and the box's diameter; and of those
@@ -426,6 +447,7 @@ SmoothSurfacePtr DistanceSurface::restricted(const Box3& box) const {
   }
   auto result = std::shared_ptr<DistanceSurface>(new DistanceSurface(*this, std::move(faces), box));
   if (side_ == 0 && best.low > radius) result->side_ = side_at(center, best);
+  if (sheet_ && far > 0) result->towards_ = to_best.dot(features_->faces[best.face].normal) < 0 ? -1 : 1;
   result->crowded_ = box_.isEmpty() ? false : static_cast<double>(result->faces_.size()) > helps * static_cast<double>(faces_.size());
   result->find_local();
   return result;
@@ -472,7 +494,7 @@ bool DistanceSurface::behind(std::uint32_t g, std::uint32_t f) const {
   const double slack = 1e-12 * features_->scale();
   for (int k = 0; k < 3; ++k) {
     const Vec3 from = features_->corner(g, k) - features_->corner(f, 0);
-    if (side_ * plane.normal.dot(from) > slack || plane.loss * from.norm() > slack) return false;
+    if ((sheet_ ? towards_ : side_) * plane.normal.dot(from) > slack || plane.loss * from.norm() > slack) return false;
   }
   return true;
 }
@@ -498,18 +520,23 @@ std::vector<std::vector<std::uint32_t>> DistanceSurface::convex_sheets() const {
   return sheets;
 }
 
-// One a plane of the solid, moved; the faces that count as lying on it may be off it a little.
+// One a plane of the solid, moved; the faces that count as lying on it may be off it a little. A sheet's planes move both ways: the
+// second half of them inward.
 std::vector<FlatPiece> DistanceSurface::planes() const {
   const MeshFeatures& f = *features_;
   std::vector<FlatPiece> planes;
-  for (const std::uint32_t face : f.first_on_plane) {
-    const Vec3& n = f.faces[face].normal;
-    planes.push_back({n, n.dot(f.corner(face, 0)) + offset_, rounding_at(Vec3::Zero()) + f.faces[face].loss * f.scale()});
-  }
-  for (std::uint32_t face = 0; face < f.size(); ++face) {
-    FlatPiece& plane = planes[f.plane_of[face]];
-    for (int k = 0; k < 3; ++k)
-      plane.thickness = std::max(plane.thickness, std::abs(plane.normal.dot(f.corner(face, k)) + offset_ - plane.offset) + rounding_at(Vec3::Zero()));
+  for (const int facing : {1, -1}) {
+    if (facing < 0 && !sheet_) break;
+    const std::size_t first = planes.size();
+    for (const std::uint32_t face : f.first_on_plane) {
+      const Vec3 n = facing * f.faces[face].normal;
+      planes.push_back({n, n.dot(f.corner(face, 0)) + offset_, rounding_at(Vec3::Zero()) + f.faces[face].loss * f.scale()});
+    }
+    for (std::uint32_t face = 0; face < f.size(); ++face) {
+      FlatPiece& plane = planes[first + f.plane_of[face]];
+      for (int k = 0; k < 3; ++k)
+        plane.thickness = std::max(plane.thickness, std::abs(plane.normal.dot(f.corner(face, k)) + offset_ - plane.offset) + rounding_at(Vec3::Zero()));
+    }
   }
   return planes;
 }
@@ -526,6 +553,12 @@ bool DistanceSurface::nearly_flat(const Sight& sight, const Vec3& center, const 
   if (!(sum.norm() > 0)) return false;
   const Interval3 axis = enclose(Vec3(sum.normalized()));
   return std::all_of(normals.begin(), normals.end(), [&](const Interval3& n) { return dot(n, axis).lower() > nearly_one; });
+}
+
+std::optional<std::size_t> DistanceSurface::plane_on(std::uint32_t face, const Vec3& center, const Vec3& reach) const {
+  const int facing = side_of(face, center, reach);
+  if (facing == 0) return std::nullopt;
+  return features_->plane_of[face] + (facing < 0 ? features_->first_on_plane.size() : 0);
 }
 
 std::vector<SmoothSurfacePtr> DistanceSurface::parts() const {
@@ -547,7 +580,7 @@ std::vector<SmoothSurfacePtr> DistanceSurface::parts() const {
     part->find_local();
     const Rounding rounding;
     const Sight sight = part->look(center, reach);
-    if (!sight.seen.empty() && part->coplanar(sight)) part->plane_ = features_->plane_of[sight.seen.front()->id];
+    if (!sight.seen.empty() && part->coplanar(sight)) part->plane_ = part->plane_on(sight.seen.front()->id, center, reach);
     if (sight.seen.size() == 1 && sight.seen.front()->kind != Kind::face)
       parts.push_back(part->on_one(*sight.seen.front()));
     else

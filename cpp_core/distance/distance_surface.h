@@ -18,6 +18,8 @@ class DistanceSurface final : public SmoothSurface {
  public:
   /// The whole surface; `offset` is not 0.
   DistanceSurface(std::shared_ptr<const MeshFeatures> features, double offset);
+  /// Of some faces alone, whatever solid they bound: what is equally far from them on either side. `radius` > 0; faces ascending.
+  DistanceSurface(std::shared_ptr<const MeshFeatures> features, std::vector<std::uint32_t> faces, double radius);
 
   Expansion expand(const Vec3& center, const Vec3& reach) const override;
   double value(const Vec3& x, Vec3* gradient) const override;
@@ -70,14 +72,18 @@ class DistanceSurface final : public SmoothSurface {
   bool coplanar(const Sight& sight) const;
   void bend(Expansion& e, const Sight& sight, const std::vector<Interval3>& normals) const;
   bool nearly_flat(const Sight& sight, const Vec3& center, const Vec3& reach) const;
+  std::optional<std::size_t> plane_on(std::uint32_t face, const Vec3& center, const Vec3& reach) const;
   SmoothSurfacePtr on_one(const Local& feature) const;
   std::vector<std::vector<std::uint32_t>> sheets() const;
   std::vector<std::vector<std::uint32_t>> convex_sheets() const;
   bool behind(std::uint32_t g, std::uint32_t f) const;
   double rounding_at(const Vec3& x) const;
+  int side_of(std::uint32_t face, const Vec3& center, const Vec3& reach) const;
 
   std::shared_ptr<const MeshFeatures> features_;
   double offset_;
+  bool sheet_ = false;                 // distance has no sign: side_ is 1
+  int towards_ = 1;                    // of a sheet: on which side of its nearest face the box is, more or less
   int side_ = 0;                       // of the whole box: +1 outside the solid, -1 inside; 0: both or not known
   bool crowded_ = false;               // a smaller box saw hardly fewer faces
   bool split_ = false;                 // a part: other faces may be nearer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "decimation/decimate.h"
@@ -129,6 +130,25 @@ Prepared twice(const Expression& solid, double first, const Options& options) {
   return {offsetting.of(Expression(middle), -first), with_error(options, error)};
 }
 
+// All that is within `radius` of the faces that stay.
+Expression wall_about(const Expression& solid, double radius, const std::vector<std::int64_t>& open_faces) {
+  if (solid.kind() != Expression::Kind::polyhedron) throw std::invalid_argument("open_faces: only a polyhedron, or an import, has faces to leave open");
+  const PolyhedronPtr& polyhedron = solid.polyhedron();
+  const auto& cad_face = polyhedron->provenance().cad_face;
+  const std::set<std::int64_t> open(open_faces.begin(), open_faces.end());
+  std::set<std::int64_t> unknown = open;
+  std::vector<std::uint32_t> stay;
+  for (std::uint32_t t = 0; t < polyhedron->triangles().size(); ++t) {
+    const std::int64_t face = cad_face.empty() ? t : cad_face[t];
+    unknown.erase(face);
+    if (!open.count(face)) stay.push_back(t);
+  }
+  if (!unknown.empty())
+    throw std::invalid_argument("open_faces: the solid has no " + std::string(cad_face.empty() ? "triangle " : "face ") + std::to_string(*unknown.begin()));
+  if (stay.empty()) throw std::invalid_argument("open_faces: a shell needs a face that stays");
+  return Expression(OffsetSolid::about_faces(polyhedron, std::move(stay), radius));
+}
+
 }  // namespace
 
 Prepared prepare_offset(const Expression& solid, double distance, const Options& options) {
@@ -137,11 +157,13 @@ Prepared prepare_offset(const Expression& solid, double distance, const Options&
   return {Offsetting(error, options).of(solid, distance), with_error(options, error)};
 }
 
-Prepared prepare_shell(const Expression& solid, double thickness, const Options& options) {
+Prepared prepare_shell(const Expression& solid, double thickness, const Options& options, const std::vector<std::int64_t>& open_faces) {
   check(thickness, "thickness");
   const double error = error_for(solid, thickness, options);
-  const Expression moved = Offsetting(error, options).of(solid, thickness);
-  return {thickness > 0 ? Expression::difference(moved, solid) : Expression::difference(solid, moved), with_error(options, error)};
+  const Expression reached = open_faces.empty() ? Offsetting(error, options).of(solid, thickness) : wall_about(solid, std::abs(thickness), open_faces);
+  const Options same = with_error(options, error);
+  if (thickness > 0) return {Expression::difference(reached, solid), same};
+  return {open_faces.empty() ? Expression::difference(solid, reached) : Expression::intersection({solid, reached}), same};
 }
 
 Prepared prepare_opening(const Expression& solid, double radius, const Options& options) {

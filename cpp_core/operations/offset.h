@@ -19,8 +19,10 @@ struct Prepared {
 
 /// The rounded offset, outward (distance > 0) or inward. Throws as evaluate(), std::invalid_argument naming `distance`.
 Prepared prepare_offset(const Expression& solid, double distance, const Options& options);
-/// A wall of the given thickness outside the solid (> 0) or inside it (< 0).
-Prepared prepare_shell(const Expression& solid, double thickness, const Options& options);
+/// A wall of the given thickness outside the solid (> 0) or inside it (< 0). Where faces are left open there is none: the wall is what
+/// lies within its thickness of the others. They are CAD faces of an imported polyhedron, or triangles of one that is no import;
+/// std::invalid_argument for other solids, for numbers that are none of them, and if none would stay.
+Prepared prepare_shell(const Expression& solid, double thickness, const Options& options, const std::vector<std::int64_t>& open_faces = {});
 /// Erosion and dilation by a ball: parts thinner than 2 radius go, corners are rounded; or, closing, gaps and slots are filled.
 Prepared prepare_opening(const Expression& solid, double radius, const Options& options);
 Prepared prepare_closing(const Expression& solid, double radius, const Options& options);

@@ -213,9 +213,21 @@ void bind_operations(py::module_& module) {
                 "The rounded offset of a Solid: all points within `distance` of it (> 0, model units), or all its points farther than "
                 "-distance from its boundary (< 0).\n\nOther arguments, and errors raised, as for evaluate(); error None: longest side of the "
                 "result's box / 128. What has no closed form is meshed first and named in certificate.tessellated. Source: T§4.2.");
-  bind_prepared(module, "shell", "thickness", &prepare_shell,
-                "A wall about a Solid's boundary: outside it (thickness > 0, model units) or inside (< 0).\n\nOther arguments, and errors "
-                "raised, as for offset(). Source: T§4.2.");
+  module.def(
+      "shell",
+      [](const Expression& solid, double thickness, std::optional<double> error, const std::vector<std::int64_t>& open_faces,
+         std::optional<double> contact, const std::string& criterion, int threads, const std::optional<Budget>& budget, const py::object& progress,
+         const std::string& on_unresolved) {
+        return evaluate_prepared([&](const Options& options) { return prepare_shell(solid, thickness, options, open_faces); }, error, contact, criterion,
+                                 threads, budget, progress, on_unresolved);
+      },
+      py::arg("solid"), py::arg("thickness"), py::arg("error") = py::none(), py::arg("open_faces") = std::vector<std::int64_t>(),
+      py::arg("contact") = py::none(), py::arg("criterion") = "trace", py::arg("threads") = 0, py::arg("budget") = py::none(),
+      py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      "A wall about a Solid's boundary: outside it (thickness > 0, model units) or inside (< 0).\n\nopen_faces: where there shall be no wall, "
+      "as numbers of CAD faces (cad_faces), or of triangles if the solid is a Polyhedron that is no import; the wall is then what lies within "
+      "its thickness of the other faces. ValueError for numbers that are none of the solid's, if none would stay, and for solids without "
+      "faces to choose from. Other arguments, and errors raised, as for offset(). Source: T§4.2.");
   bind_prepared(module, "dilate", "element", &prepare_dilation,
                 "Minkowski sum with a ball of radius `element` (model units). Other arguments as for offset(). Source: T§1.2.");
   bind_prepared(module, "erode", "element", &prepare_erosion,

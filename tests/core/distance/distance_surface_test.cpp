@@ -61,7 +61,18 @@ Mesh bracket() {
 struct Sampled {
   PolyhedronPtr solid;
   double offset;
+  std::vector<std::uint32_t> faces = {};   // if any: without sign, from these alone
 };
+
+double distance_of(const Sampled& s, const Vec3& x) {
+  if (s.faces.empty()) return signed_distance(*s.solid, x);
+  double d = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t f : s.faces) {
+    const Triangle& t = s.solid->triangles()[f];
+    d = std::min(d, to_triangle(x, s.solid->vertices()[t[0]], s.solid->vertices()[t[1]], s.solid->vertices()[t[2]]));
+  }
+  return d;
+}
 
 std::vector<Sampled> solids(std::mt19937& random) {
   const Mesh turned_bracket = turned(bracket(), random_rotation(random), {0.2, -0.3, 0.1}), stone = pebble(random, 2);
@@ -73,6 +84,12 @@ std::vector<Sampled> solids(std::mt19937& random) {
     result.push_back({make(turned_bracket), offset});
     result.push_back({make(stone), offset});
     result.push_back({make(rough), offset});
+    if (offset < 0) continue;
+    for (const Mesh* mesh : {&turned_bracket, &stone}) {
+      result.push_back({make(*mesh), offset});
+      for (std::uint32_t f = 0; f < mesh->triangles.size(); ++f)
+        if (random() % 3 > 0) result.back().faces.push_back(f);
+    }
   }
   return result;
 }
@@ -85,7 +102,7 @@ struct Place {
 
 Place descend(const Sampled& s, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
-  const OffsetSolidPtr solid = OffsetSolid::make(s.solid, s.offset);
+  const OffsetSolidPtr solid = s.faces.empty() ? OffsetSolid::make(s.solid, s.offset) : OffsetSolid::about_faces(s.solid, s.faces, s.offset);
   Place p{solid->surface(), Box3(s.solid->bounding_box().min() - Vec3::Constant(0.5), s.solid->bounding_box().max() + Vec3::Constant(0.5))};
   for (int level = 0; level < 12; ++level) {
     if (auto next = p.surface->restricted(p.box)) p.surface = std::move(next);
@@ -95,7 +112,7 @@ Place descend(const Sampled& s, std::mt19937& random) {
     for (int trial = 0; trial < 4; ++trial) {   // the half that is nearest to the offset, more or less
       const Vec3 low = p.box.min() + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(0.5 * p.box.sizes());
       const Box3 half(low, low + 0.5 * p.box.sizes());
-      const double off = std::abs(signed_distance(*s.solid, half.center()) - s.offset);
+      const double off = std::abs(distance_of(s, half.center()) - s.offset);
       if (off < least) least = off, best = half;
     }
     p.box = best;
@@ -128,14 +145,14 @@ TEST(DistanceSurface, ExpansionsEncloseTheDistance) {
       }
       ++looked;
       smooth += e.smooth;
-      const double at_center = signed_distance(*s.solid, box.center()) - s.offset;
+      const double at_center = distance_of(s, box.center()) - s.offset;
       ASSERT_TRUE(holds(e.value, at_center)) << e.value.lower() << ' ' << at_center << ' ' << e.value.upper();
       for (int k = 0; k < 20; ++k) {
         const Vec3 p = point_in(box, random), q = point_in(box, random), r = point_in(box, random);
-        const double f = signed_distance(*s.solid, p) - s.offset, g = signed_distance(*s.solid, q) - s.offset, h = signed_distance(*s.solid, r) - s.offset;
+        const double f = distance_of(s, p) - s.offset, g = distance_of(s, q) - s.offset, h = distance_of(s, r) - s.offset;
         const Vec3 u = (q - p).normalized(), w(unit(random), unit(random), unit(random));
         const Vec3 middle = (w.x() * p + w.y() * q + w.z() * r) / w.sum();
-        const double inside = signed_distance(*s.solid, middle) - s.offset, interpolated = (w.x() * f + w.y() * g + w.z() * h) / w.sum();
+        const double inside = distance_of(s, middle) - s.offset, interpolated = (w.x() * f + w.y() * g + w.z() * h) / w.sum();
         Interval range, slope, excess, refined;
         {
           const Rounding rounding;
@@ -164,7 +181,7 @@ TEST(DistanceSurface, PartsMakeUpTheWhole) {
       several += parts.size() > 1;
       for (int k = 0; k < 20 && !parts.empty(); ++k) {
         const Vec3 p = point_in(place.box, random);
-        const double expected = signed_distance(*s.solid, p) - s.offset;
+        const double expected = distance_of(s, p) - s.offset;
         if (std::abs(expected) < 1e-10) continue;
         int below = 0;
         for (const auto& part : parts) below += part->sign(p) < 0;
@@ -179,6 +196,9 @@ TEST(OffsetSolid, RefusesDistancesThatAreNone) {
   const PolyhedronPtr solid = make(bracket());
   for (const double distance : {0.0, std::nan(""), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(OffsetSolid::make(solid, distance), std::invalid_argument);
+  for (const double radius : {0.0, -0.1, std::nan("")}) EXPECT_THROW(OffsetSolid::about_faces(solid, {0}, radius), std::invalid_argument);
+  EXPECT_THROW(OffsetSolid::about_faces(solid, {}, 0.1), std::invalid_argument);
+  EXPECT_THROW(OffsetSolid::about_faces(solid, {1, 1000}, 0.1), std::invalid_argument);
   EXPECT_TRUE(OffsetSolid::make(solid, -3)->bounding_box().isEmpty());
 }
 

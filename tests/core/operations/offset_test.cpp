@@ -153,6 +153,40 @@ TEST(Shell, OfABoxHasTwoSides) {
   expect_result(shell(a, -0.2, 0.05), {2, {0, 0}}, 27 - 2.6 * 2.6 * 2.6, 0.05, "inside");
 }
 
+// A tray: the cavity has sharp edges, and reaches through the open top.
+TEST(Shell, LeavesFacesOpen) {
+  const Mesh m = block({0, 0, 0}, {4, 3, 2});
+  std::vector<std::int64_t> top;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    if (std::all_of(m.triangles[t].begin(), m.triangles[t].end(), [&](std::uint32_t v) { return m.vertices[v].z() == 2; }))
+      top.push_back(static_cast<std::int64_t>(t));
+  ASSERT_EQ(top.size(), 2u);
+  std::mt19937 random(5);
+  for (int i = 0; i < 3; ++i) {
+    const Expression tray = solid(turned(m, random_rotation(random), {0.1, 0.2, 0.3}));
+    const Prepared inside = prepare_shell(tray, -0.3, with_error(0.05), top);
+    const Result r = evaluate(inside.expression, inside.options);
+    EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+    EXPECT_EQ(topology(r), solid_ball());
+    EXPECT_NEAR(volume(r), 24 - 3.4 * 2.4 * 1.7, 0.02);
+    const Prepared outside = prepare_shell(tray, 0.3, with_error(0.05), top);
+    const Result o = evaluate(outside.expression, outside.options);
+    EXPECT_EQ(o.certificate.verdict, Verdict::exact);
+    EXPECT_EQ(topology(o), solid_ball());
+    // Bottom and four sides, quarter cylinders along the bottom's and the upright edges, eighths of a ball at its corners; the rim is
+    // rounded about the top's edges: quarter cylinders and quarters of what lies beyond its corners.
+    const double r3 = 0.3;
+    const double expected = (12 + 14 * 2) * r3 + pi / 4 * r3 * r3 * (14 + 4 * 2) + 4 * pi / 24 * r3 * r3 * r3 * 4 +
+                            pi / 4 * r3 * r3 * 14 + 4 * pi / 24 * r3 * r3 * r3 * 4;
+    const double over_the_edge = pi / 4 * r3 * r3 * 14;   // over the top's plane, inside its outline: at most that much
+    EXPECT_GT(volume(o), expected - 0.1);
+    EXPECT_LT(volume(o), expected + over_the_edge + 0.1);
+  }
+  EXPECT_THROW(prepare_shell(solid(m), -0.3, with_error(0.1), {99}), std::invalid_argument);
+  EXPECT_THROW(prepare_shell(solid(m), -0.3, with_error(0.1), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}), std::invalid_argument);
+  EXPECT_THROW(prepare_shell(Expression(CurvedSolid::sphere({0, 0, 0}, 1)), -0.3, with_error(0.1), {0}), std::invalid_argument);
+}
+
 TEST(Opening, TakesThinFinsAndClosingFillsThinSlots) {
   const Expression fin = solid(block({0, 0, 0}, {3, 3, 2})) | solid(block({1, 1.3, 2}, {2, 1.7, 3}));
   const Prepared open = prepare_opening(fin, 0.4, with_error(0.1));
