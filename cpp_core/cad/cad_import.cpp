@@ -23,14 +23,14 @@ void require_positive(double error) {
 
 }  // namespace
 
-Expression import_shape(const TopoDS_Shape& shape, const std::string& name, double error) {
+Expression import_shape(const TopoDS_Shape& shape, const std::string& name, double error, Curved curved) {
   require_positive(error);
   return cad::across_boundary<InvalidSolidError>("Cannot import '" + name + "'", [&] {
     if (shape.IsNull()) throw InvalidSolidError("'" + name + "' is an empty shape.");
     std::vector<Expression> leaves;
     for (const cad::SolidPart& part : cad::solid_parts(shape, name)) {
-      if (CurvedSolidPtr curved = cad::recognise(part.solid))
-        leaves.emplace_back(std::move(curved));
+      if (CurvedSolidPtr round = curved == Curved::recognised ? cad::recognise(part.solid) : nullptr)
+        leaves.emplace_back(std::move(round));
       else
         leaves.emplace_back(cad::import_solid(part, error));
     }
@@ -38,9 +38,9 @@ Expression import_shape(const TopoDS_Shape& shape, const std::string& name, doub
   });
 }
 
-Expression read_cad(const std::string& path, double error) {
+Expression read_cad(const std::string& path, double error, Curved curved) {
   require_positive(error);
-  return import_shape(cad::read_shape(path), std::filesystem::path(path).stem().string(), error);
+  return import_shape(cad::read_shape(path), std::filesystem::path(path).stem().string(), error, curved);
 }
 
 }  // namespace starcell

@@ -16,9 +16,12 @@
 
 namespace starcell {
 
+/// Whether whole balls, cylinders, cones and tori become such, or polyhedra that know their faces like all other solids.
+enum class Curved { recognised, tessellated };
+
 /// Reads .brep, .brp (text or binary), .bin (FreeCAD's exportBinary or BinTools), .step and .stp. `error` is the
 /// budget in model units (mm for STEP); infinity asks for the topology only.
 /// Throws FileError, InvalidSolidError, std::invalid_argument for an error that is not positive.
-Expression read_cad(const std::string& path, double error);
+Expression read_cad(const std::string& path, double error, Curved curved = Curved::recognised);
 
 }  // namespace starcell

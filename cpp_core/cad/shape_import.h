@@ -4,11 +4,11 @@
 #include <TopoDS_Shape.hxx>
 #include <string>
 
-#include "expression/expression.h"
+#include "cad/cad_import.h"
 
 namespace starcell {
 
 /// As read_cad. Triangulations that the shape carries are replaced; its geometry is not touched.
-Expression import_shape(const TopoDS_Shape& shape, const std::string& name, double error);
+Expression import_shape(const TopoDS_Shape& shape, const std::string& name, double error, Curved curved = Curved::recognised);
 
 }  // namespace starcell

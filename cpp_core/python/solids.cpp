@@ -29,7 +29,7 @@ PolyhedronSolid read_polyhedron(const std::filesystem::path& path) {
 }
 
 /// OpenCASCADE lives in a module of its own, loaded when first needed: the engine runs without it.
-py::object from_brep(const py::object& path, double error) {
+py::object from_brep(const py::object& path, double error, bool recognise) {
   py::module_ cad;
   try {
     cad = py::module_::import("starcell_cad");
@@ -38,7 +38,7 @@ py::object from_brep(const py::object& path, double error) {
     throw Error(std::string("Reading CAD shapes needs the module starcell_cad, which cannot be imported: ") +
                 problem.what());
   }
-  return wrap(cad.attr("read")(path, error).cast<Expression>());
+  return wrap(cad.attr("read")(path, error, recognise).cast<Expression>());
 }
 
 std::string describe(const Expression& solid) {
@@ -124,7 +124,7 @@ void bind_solids(py::module_& module) {
             const auto& faces = self.polyhedron()->provenance().cad_face;
             return py::array_t<std::int32_t>(static_cast<py::ssize_t>(faces.size()), faces.data());
           },
-          "(m,) int32: the CAD face that each triangle came from; shape (0,) if the solid is no import.");
+          "(m,) int32: the CAD face that each triangle came from, counted from 1 as in FreeCAD; shape (0,) if the solid is no import.");
 
   py::class_<BoxSolid, PolyhedronSolid>(
       module, "Box",
@@ -152,10 +152,11 @@ void bind_solids(py::module_& module) {
       "model units. Polygons are fanned. Raises FileError if the file cannot be read as such, InvalidSolidError if it is no "
       "closed, embedded 2-manifold.");
   module.def(
-      "from_brep", &from_brep, py::arg("path"), py::arg("error"),
+      "from_brep", &from_brep, py::arg("path"), py::arg("error"), py::arg("recognise") = true,
       "The solid in an OpenCASCADE shape file (.brep, .bin, .step). error: largest distance, model units, by which a "
       "tessellated curved face may differ; the measured one counts in every certificate. Planar faces are exact, and so are "
-      "whole balls, round cylinders, cones and ring tori, which become Sphere, Cylinder, Cone and Torus. Raises "
+      "whole balls, round cylinders, cones and ring tori, which become Sphere, Cylinder, Cone and Torus, unless recognise is False: then they are Polyhedra that "
+      "know their cad_faces. Raises "
       "FileError if the file cannot be read, InvalidSolidError with the reason if its shape is no closed solid, ValueError "
       "unless error > 0, Error if the module starcell_cad is missing. Source: DESIGN, section 6.");
 }

@@ -34,14 +34,15 @@ PYBIND11_MODULE(starcell_cad, module) {
   py::module_::import("starcell");  // registers Solid and the exceptions
   module.def(
       "read",
-      [](const std::filesystem::path& path, double error) {
+      [](const std::filesystem::path& path, double error, bool recognise) {
         const py::gil_scoped_release release;
-        return starcell::read_cad(path.string(), error);
+        return starcell::read_cad(path.string(), error, recognise ? starcell::Curved::recognised : starcell::Curved::tessellated);
       },
-      py::arg("path"), py::arg("error"),
+      py::arg("path"), py::arg("error"), py::arg("recognise") = true,
       "Read a shape from .brep or .brp (text or binary), .bin (FreeCAD's Shape.exportBinary), .step or .stp.\n\n"
       "`error` (a positive float, model units; mm for STEP) bounds the tessellation: the measured two-sided distance of\n"
       "curved faces is at most error / 2; planar faces with straight edges are exact. Infinity: topology only.\n"
+      "`recognise` False: balls, cylinders, cones and tori are tessellated too, and know their faces.\n"
       "Returns a starcell.Solid: one curved solid or polyhedron a solid of the shape, their union if there are several.\n"
       "Raises FileError for a file that cannot be read, InvalidSolidError for a shape that bounds no volume or cannot be\n"
       "meshed within the error (the message says which face and why), ValueError for an error that is not positive.\n"

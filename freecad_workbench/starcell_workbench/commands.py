@@ -37,7 +37,11 @@ class OperationCommand:
         names = ", ".join("FreeCAD.ActiveDocument.getObject({!r})".format(each.Name) for each in objects)
         make(translate("StarCell", self.operation.title),
              ("from starcell_workbench import macros, {}".format(_module_name(self.operation)),
-              "macros.from_selection({}.{}, [{}])".format(_module_name(self.operation), self.operation.__name__, names)), report.summary)
+              "macros.from_selection({}.{}, [{}]{})".format(_module_name(self.operation), self.operation.__name__, names, self._faces())), report.summary)
+
+    def _faces(self):
+        picked = picked_faces() if self.operation.faces else []
+        return ", {}={!r}".format(self.operation.faces, picked) if picked else ""
 
 
 def make(title, lines, said):
@@ -71,6 +75,12 @@ def selected():
             if each not in objects:
                 objects.append(each)
     return objects
+
+
+def picked_faces():
+    """Names of the picked faces, in order."""
+    paths = [path for picked in FreeCADGui.Selection.getSelectionEx("", 0) for path in picked.SubElementNames]
+    return [name for name in (path.rpartition(".")[2] for path in paths) if name.startswith("Face")]
 
 
 def _pick(top, path):

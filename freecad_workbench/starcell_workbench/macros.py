@@ -41,9 +41,15 @@ def make_offset(obj, distance, error=None, contact=None, label=None, document=No
     return _make_morphology(Offset, obj, "Distance", lengths.parse(distance, "distance"), error, contact, label, document)
 
 
-def make_shell(obj, thickness, error=None, contact=None, label=None, document=None):
-    """A wall about the surface of `obj`: outside it (thickness > 0) or inside (< 0); mm, or a text with a unit."""
-    return _make_morphology(Shell, obj, "Thickness", lengths.parse(thickness, "thickness"), error, contact, label, document)
+def make_shell(obj, thickness, error=None, contact=None, label=None, document=None, open_faces=()):
+    """A wall about the surface of `obj`: outside it (thickness > 0) or inside (< 0); mm, or a text with a unit.
+
+    open_faces: names of faces of `obj`, such as "Face3", that get no wall.
+    """
+    if isinstance(open_faces, str) or not all(isinstance(name, str) for name in open_faces):
+        raise TypeError("open_faces: expected names of faces, such as [\"Face3\"], not {!r}.".format(open_faces))
+    return _make_morphology(Shell, obj, "Thickness", lengths.parse(thickness, "thickness"), error, contact, label, document,
+                            OpenFaces=list(open_faces))
 
 
 def make_erode(obj, radius, error=None, contact=None, label=None, document=None):
@@ -61,10 +67,10 @@ def make_closing(obj, radius, error=None, contact=None, label=None, document=Non
     return _make_morphology(Closing, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
 
 
-def _make_morphology(operation, obj, name, amount, error, contact, label, document):
+def _make_morphology(operation, obj, name, amount, error, contact, label, document, **others):
     if amount == 0:
         raise ValueError("{}: must not be 0.".format(name.lower()))
-    return make(operation, {"Source": obj}, error, contact, label, document, **{name: amount})
+    return make(operation, {"Source": obj}, error, contact, label, document, **{name: amount}, **others)
 
 
 def make_solid(source, label=None, document=None):

@@ -1,6 +1,7 @@
 """Offset, shell, opening and closing (T§4.2): morphology of one solid with a ball."""
 import FreeCAD
 
+from . import operands
 from .operation_feature import OperationFeature, Parameter, Role
 from .translation import QT_TRANSLATE_NOOP, translate
 
@@ -45,13 +46,40 @@ class Offset(_Morphology):
 class Shell(_Morphology):
     command = "StarCell_Shell"
     title = QT_TRANSLATE_NOOP("StarCell", "Shell")
-    help = QT_TRANSLATE_NOOP("StarCell", "Makes a wall of even thickness about a solid's surface, with a proved topology and distance")
+    help = QT_TRANSLATE_NOOP("StarCell", "Makes a wall of even thickness about a solid's surface, open where faces are picked, with a proved topology and distance")
     call = "shell"
+    faces = "OpenFaces"
     parameters = (Parameter("Thickness", "App::PropertyDistance", QT_TRANSLATE_NOOP(
-        "App::Property", "Thickness of the wall: above 0 outside the solid, below 0 inside"), default=1.0),)
+        "App::Property", "Thickness of the wall: above 0 outside the solid, below 0 inside"), default=1.0),
+                  Parameter("OpenFaces", "App::PropertyStringList", QT_TRANSLATE_NOOP(
+                      "App::Property", "Names of the source's faces that get no wall: Face3, ...")))
+
+    def gather(self, each, obj, folder):
+        return operands.gather(each, obj, folder, faces=bool(obj.OpenFaces))
+
+    def compute(self, starcell, solids, values, options):
+        names = values["OpenFaces"]
+        if not names:
+            return super().compute(starcell, solids, values, options)
+        solid = solids["Source"]
+        if not len(getattr(solid, "cad_faces", ())):
+            raise operands.OperandError(translate("StarCell", "Only a single CAD solid has faces that can be left open; take {} out of OpenFaces, "
+                                                              "or make one solid of the source.").format(", ".join(names)))
+        return starcell.shell(solid, values["Thickness"], open_faces=_numbers(names, max(solid.cad_faces)), **options)
 
     def grown(self, amount):
         return max(0.0, amount)
+
+
+def _numbers(names, last):
+    """Face3 is 3, as long as there is such a face."""
+    numbers = []
+    for name in names:
+        number = name.strip()[4:]
+        if not (name.strip().startswith("Face") and number.isdigit() and 1 <= int(number) <= last):
+            raise operands.OperandError(translate("StarCell", "OpenFaces: '{}' is no face of the source; they are Face1 to Face{}.").format(name, last))
+        numbers.append(int(number))
+    return numbers
 
 
 class Erode(_Morphology):

@@ -42,8 +42,8 @@ class Operand:
 class _ShapeLeaf:
     """A CAD shape, passed on bit by bit through a file of OpenCASCADE's binary format. The engine reports it by the file's name."""
 
-    def __init__(self, shape, matrix, label, folder):
-        self.matrix = _array(matrix)
+    def __init__(self, shape, matrix, label, folder, faces=False):
+        self.matrix, self.faces = _array(matrix), faces
         own = tempfile.mkdtemp(dir=folder)
         name = re.sub(r"[^\w .()+-]", "_", label)[:60].strip(" .")
         self.path = os.path.join(own, (name or "operand") + ".bin")
@@ -51,7 +51,7 @@ class _ShapeLeaf:
 
     def solid(self, starcell, error):
         stretch = numpy.linalg.norm(self.matrix[:3, :3], 2)
-        return starcell.from_brep(self.path, error / stretch).transformed(self.matrix)
+        return starcell.from_brep(self.path, error / stretch, recognise=not self.faces).transformed(self.matrix)
 
 
 class _PrimitiveLeaf:
@@ -79,11 +79,14 @@ class _MeshLeaf:
         return starcell.Polyhedron(self.vertices, self.triangles)
 
 
-def gather(obj, result, folder):
-    """The Operand that `obj` is for the object `result`; shapes are written to files in `folder`. Raises OperandError."""
+def gather(obj, result, folder, faces=False):
+    """The Operand that `obj` is for the object `result`; shapes are written to files in `folder`. Raises OperandError.
+
+    `faces`: as polyhedra that know which CAD face their triangles came from, primitives too.
+    """
     operand = Operand(obj.Label)
     for path in leaf_paths(obj):
-        add_leaf(operand, obj, path, to_frame(obj, result), folder)
+        add_leaf(operand, obj, path, to_frame(obj, result), folder, faces)
     if not operand.leaves:
         raise nothing_solid(obj)
     return operand
@@ -148,7 +151,7 @@ def resolve(obj, path):
     return leaf, linked, matrix * beyond
 
 
-def add_leaf(operand, obj, path, matrix, folder):
+def add_leaf(operand, obj, path, matrix, folder, faces=False):
     """Adds the shape or mesh at a path, moved by `matrix`. Raises OperandError if there is no solid, unless it lies in a container."""
     leaf, linked, own = resolve(obj, path)
     check_valid(leaf)
@@ -168,8 +171,8 @@ def add_leaf(operand, obj, path, matrix, folder):
     rest = FreeCAD.Matrix() if _is_rigid(matrix) else matrix
     if _is_rigid(matrix):
         shape.Placement = FreeCAD.Placement(matrix) * shape.Placement
-    recipe = primitives.recipe(linked)
-    operand.leaves.append(_PrimitiveLeaf(recipe, matrix * own) if recipe else _ShapeLeaf(shape, rest, leaf.Label, folder))
+    recipe = None if faces else primitives.recipe(linked)
+    operand.leaves.append(_PrimitiveLeaf(recipe, matrix * own) if recipe else _ShapeLeaf(shape, rest, leaf.Label, folder, faces))
     operand.box.add(shape.BoundBox.transformed(rest))
 
 

@@ -45,6 +45,7 @@ class OperationFeature(Stateless):
     help = ""       # tooltip
     roles = ()
     parameters = ()
+    faces = None    # the parameter that takes the names of faces picked with the operand, if there is one
 
     def compute(self, starcell, solids, values, options):
         """The engine's call. solids: {role: solid or list of solids}; values: {parameter: value}; options: error, contact, ..."""

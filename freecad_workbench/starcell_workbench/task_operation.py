@@ -74,25 +74,28 @@ class OperationTask:
         for each in self.feature.linked(self.obj):
             self._add_row(each)
         for name, field in self.fields.items():
-            value = getattr(self.obj, name)
-            field.setText("{!r} mm".format(value.Value) if value.Value else "")
+            field.setText(_shown(getattr(self.obj, name)))
         self.show_result()
 
     def write_object(self):
-        values = {name: self._length(name) for name in self.fields}
+        values = {name: self._names(name) if isinstance(getattr(self.obj, name), list) else self._length(name) for name in self.fields}
         rest = [self.obj.Document.getObject(row.data(QtCore.Qt.UserRole)) for row in self._rows()]
         for role in self.feature.roles:
             value = rest if role.many else rest.pop(0) if rest else None
             if self.feature.linked_by(self.obj, role) != (value if role.many else [value]):
                 setattr(self.obj, role.name, value)
         for name, value in values.items():
-            if getattr(self.obj, name).Value != value:
+            now = getattr(self.obj, name)
+            if (now if isinstance(now, list) else now.Value) != value:
                 setattr(self.obj, name, value)
 
     def _length(self, name):
         text = self.fields[name].text().strip()
         parse = lengths.parse_positive if name in ("Error", "Contact") else lengths.parse
         return parse(text, name) if text else 0.0
+
+    def _names(self, name):
+        return [each.strip() for each in self.fields[name].text().split(",") if each.strip()]
 
     def show_result(self):
         obj, form = self.obj, self.form
@@ -156,3 +159,9 @@ class OperationTask:
         field.setToolTip(translate("App::Property", parameter.help))
         self.form.precisionLayout.insertRow(0, parameter.name, field)
         return field
+
+
+def _shown(value):
+    if isinstance(value, list):
+        return ", ".join(value)
+    return "{!r} mm".format(value.Value) if value.Value else ""

@@ -53,6 +53,30 @@ class Offsets(DocumentTest):
         self.assertResult(scw.make_shell(self.a, -1, error=0.2), 480 - 8 * 6 * 4, [0, 0], relative=1e-6)
         self.assertResult(scw.make_shell(self.a, 1, error=0.2), steiner(10, 8, 6, 1) - 480, [0, 0])
 
+    def test_shells_with_open_faces(self):
+        top = next("Face{}".format(k + 1) for k, face in enumerate(self.a.Shape.Faces) if abs(face.CenterOfMass.z - 6) < 1e-9)
+        tray = scw.make_shell(self.a, -1, error=0.1, open_faces=[top])
+        self.assertResult(tray, 480 - 8 * 6 * 5, [0], relative=1e-3)
+        front = next("Face{}".format(k + 1) for k, face in enumerate(self.a.Shape.Faces) if abs(face.CenterOfMass.y) < 1e-9)
+        tray.OpenFaces = [top, front]
+        self.doc.recompute()
+        self.assertResult(tray, 480 - 8 * 7 * 5, [0], relative=1e-3)
+        tray.OpenFaces = ["Face7"]
+        self.doc.recompute()
+        self.assertFalse(tray.isValid())
+        self.assertRaises(TypeError, scw.make_shell, self.a, -1, open_faces="Face6")
+
+    def test_a_cup(self):
+        """A cylinder is tessellated to have faces: its wall and bottom stay."""
+        can = self.doc.addObject("Part::Cylinder", "Can")
+        can.Radius, can.Height = 5, 12
+        can.Placement.Base = (1, 2, 3)
+        self.doc.recompute()
+        top = next("Face{}".format(k + 1) for k, face in enumerate(can.Shape.Faces) if abs(face.CenterOfMass.z - 15) < 1e-9)
+        cup = scw.make_shell(can, -1, error=0.1, open_faces=[top])
+        self.assertResult(cup, math.pi * (25 * 12 - 16 * 11), [0], relative=0.03)
+        self.assertIn("tessellated", cup.Certificate)
+
     def test_erode_and_opening(self):
         self.assertResult(scw.make_erode(self.a, 1), 8 * 6 * 4, [0], relative=1e-6)
         self.assertResult(scw.make_opening(self.a, 1, error=0.2), steiner(8, 6, 4, 1), [0])

@@ -30,6 +30,29 @@ class Offset(window.WindowTest):
         window.look(self.doc)
         window.shot("offset", self.doc)
 
+    def test_a_tray_open_where_a_face_was_picked(self):
+        FreeCADGui.Selection.clearSelection()
+        top = next("Face{}".format(k + 1) for k, face in enumerate(self.plate.Shape.Faces)
+                   if abs(face.CenterOfMass.z - self.plate.Shape.BoundBox.ZMax) < 1e-9)
+        FreeCADGui.Selection.addSelection(self.doc.Name, self.plate.Name, top)
+        FreeCADGui.runCommand("StarCell_Shell")
+        window.pump()
+        tray = self.doc.ActiveObject
+        self.assertTrue(tray.isValid(), tray.getStatusString())
+        self.assertEqual((tray.OpenFaces, list(tray.Genus)), ([top], [0]))
+        tray.Thickness = -1
+        panel = OperationTask(tray)
+        self.assertEqual(panel.fields["OpenFaces"].text(), top)
+        panel.fields["OpenFaces"].setText("")
+        self.assertTrue(panel.apply())
+        self.assertEqual(list(tray.Genus), [0, 0])
+        panel.fields["OpenFaces"].setText(" {} ".format(top))
+        self.assertTrue(panel.apply())
+        self.assertEqual(list(tray.Genus), [0])
+        panel.reject()
+        window.look(self.doc)
+        window.shot("tray", self.doc)
+
     def test_the_panel_takes_a_distance_of_either_sign(self):
         obj = scw.make_offset(self.plate, 1)
         panel = OperationTask(obj)
