@@ -354,6 +354,7 @@ Expansion DistanceSurface::expand(const Vec3& center, const Vec3& reach) const {
   Expansion e;
   e.reach = reach;
   e.smooth = false;
+  e.steepest = 1;   // as every distance is
   Sight sight;
   if (simple()) {
     sight = look(center, reach);

@@ -66,7 +66,11 @@ IntervalSymmetric middled(const IntervalSymmetric& h, double& wide) {
 
 Interval Expansion::range() const {
   const Interval dx = around_zero(reach.x()), dy = around_zero(reach.y()), dz = around_zero(reach.z());
-  const Interval first = value + slope.x * dx + slope.y * dy + slope.z * dz;
+  Interval first = value + slope.x * dx + slope.y * dy + slope.z * dz;
+  if (std::isfinite(steepest)) {
+    const double far = (norm(enclose(reach)) * steepest).upper();
+    first = {std::max(first.lower(), (value - far).lower()), std::min(first.upper(), (value + far).upper())};
+  }
   if (!smooth) return first;
   const Interval products = hessian.xy * dx * dy + hessian.xz * dx * dz + hessian.yz * dy * dz;
   const Interval second = value + parabola(gradient.x, hessian.xx, reach.x()) + parabola(gradient.y, hessian.yy, reach.y()) +

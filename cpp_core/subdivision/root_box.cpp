@@ -11,8 +11,10 @@ constexpr int float_bits = 24;
 constexpr int least_depth = 28;
 constexpr int candidates = 16;
 constexpr int shallow_levels = 6;
+// The cosine from which a plane counts as one across an axis. Those of moved faces have no vertices that stand for them.
+constexpr double along_axis = 1 - 1e-9;
 
-// The smallest distance between a vertex and a plane of the first levels along one axis, in units.
+// The smallest distance between a vertex, or a plane across the axis, and a plane of the first levels along one axis, in units.
 double clearance(const Grid& grid, int axis, const std::vector<double>& coordinates) {
   const double step = std::ldexp(grid.unit, grid.depth - shallow_levels);
   const double lower = grid.coordinate(axis, 0);
@@ -47,6 +49,8 @@ Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
     for (std::size_t i = 0; i < table.points.size(); i += stride)
       if (box.min()[axis] <= table.points[i][axis] && table.points[i][axis] <= box.max()[axis])
         coordinates.push_back(table.points[i][axis]);
+    for (const Surface& s : table.surfaces)
+      if (!s.form && std::abs(s.normal[axis]) > along_axis) coordinates.push_back(s.offset / s.normal[axis]);
     const double slack = size - box.sizes()[axis];
     double best = -1;
     std::int64_t origin = 0;
