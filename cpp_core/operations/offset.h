@@ -1,8 +1,8 @@
 // Offsets, shells and morphology with a ball (T§1.2, T§4.2; Rossignac & Requicha 1986).
 //
 // An offset is an expression: outward it passes through unions, inward through intersections, and turns round at a complement;
-// balls, tori and half-spaces have closed forms, polyhedra distance surfaces. What is left, a Boolean or a curved solid without a
-// closed form, is meshed first, within a share of the error, and named in the certificate as tessellated.
+// much has a closed form (closed_offset.h), polyhedra have distance surfaces. What is left, a Boolean or a curved solid without a
+// closed form, is meshed and decimated first, within a share of the error, and named in the certificate as tessellated.
 // Guarantees: the certificate's, about the offset of the solid as named there. Does not guarantee that the offset of a tessellated
 // solid has the topology of the true one's where walls are as near to 2r as the tessellation is coarse.
 #pragma once

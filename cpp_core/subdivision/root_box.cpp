@@ -13,6 +13,8 @@ constexpr int candidates = 16;
 constexpr int shallow_levels = 6;
 // The cosine from which a plane counts as one across an axis. Those of moved faces have no vertices that stand for them.
 constexpr double along_axis = 1 - 1e-9;
+// Of the grid's side: a plane this near to one of the first levels' is avoided, whatever the vertices say.
+constexpr double too_near = 1e-5;
 
 // The smallest distance between a vertex, or a plane across the axis, and a plane of the first levels along one axis, in units.
 double clearance(const Grid& grid, int axis, const std::vector<double>& coordinates) {
@@ -49,8 +51,9 @@ Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
     for (std::size_t i = 0; i < table.points.size(); i += stride)
       if (box.min()[axis] <= table.points[i][axis] && table.points[i][axis] <= box.max()[axis])
         coordinates.push_back(table.points[i][axis]);
+    std::vector<double> planes;
     for (const Surface& s : table.surfaces)
-      if (!s.form && std::abs(s.normal[axis]) > along_axis) coordinates.push_back(s.offset / s.normal[axis]);
+      if (!s.form && std::abs(s.normal[axis]) > along_axis) planes.push_back(s.offset / s.normal[axis]);
     const double slack = size - box.sizes()[axis];
     double best = -1;
     std::int64_t origin = 0;
@@ -58,7 +61,8 @@ Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
       // Irrational steps through the middle half of the slack.
       const double fraction = 0.25 + 0.5 * std::fmod(0.38196601125 + 0.61803398875 * k + 0.137 * axis + 0.0917 * attempt, 1.0);
       grid.origin[axis] = (static_cast<std::int64_t>(std::floor((box.min()[axis] - fraction * slack) / grid.step)) | 1) * units;
-      const double c = clearance(grid, axis, coordinates);
+      double c = clearance(grid, axis, coordinates);
+      if (clearance(grid, axis, planes) < too_near * size) c *= too_near;
       if (c > best) best = c, origin = grid.origin[axis];
     }
     grid.origin[axis] = origin;

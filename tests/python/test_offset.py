@@ -48,6 +48,20 @@ class Offset(unittest.TestCase):
         grown = 2.4 * 1.4 * 0.4 + 2 * (2.4 * 1.4 + 1.4 * 0.4 + 0.4 * 2.4) * 0.3 + math.pi * 4.2 * 0.09 + 4 / 3 * math.pi * 0.027
         self.assertAlmostEqual(volume(r), grown, delta=0.05 * grown)
 
+    def test_shells_with_open_faces(self):
+        box = sc.Box((0, 0, 0), (4, 3, 2))
+        top = [t for t, z in enumerate(box.vertices[box.triangles][:, :, 2].min(axis=1)) if z == 2]
+        tray = sc.shell(box, -0.3, error=0.05, open_faces=top)
+        self.assertEqual((tray.certificate.verdict, tray.certificate.genus), ("exact", [0]))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "tray.json")
+            tray.certificate.save(path)
+            report = sc.check_certificate(path)
+        self.assertTrue(report.ok, str(report))
+        for solid, faces in ((box, [12]), (box, range(12)), (sc.Sphere((0, 0, 0), 1), [0])):
+            with self.assertRaisesRegex(ValueError, "open_faces"):
+                sc.shell(solid, -0.3, open_faces=list(faces))
+
     def test_certificates_go_through_files(self):
         r = sc.shell(BOX, 0.3, error=0.1)
         with tempfile.TemporaryDirectory() as folder:
