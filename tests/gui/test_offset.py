@@ -49,6 +49,8 @@ class Offset(window.WindowTest):
         panel.fields["OpenFaces"].setText(" {} ".format(top))
         self.assertTrue(panel.apply())
         self.assertEqual(list(tray.Genus), [0])
+        self.assertIn(tray.Verdict, ("exact", "contact"))
+        self.assertAlmostEqual(tray.Mesh.Volume, 60 * 40 * 10 - 58 * 38 * 9, delta=20)
         panel.reject()
         window.look(self.doc)
         window.shot("tray", self.doc)
