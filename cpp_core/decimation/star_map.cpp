@@ -65,6 +65,13 @@ double height_at(const SeenTriangle& t, double x, double y) {
   return t[0].height + b * (t[1].height - t[0].height) + c * (t[2].height - t[0].height);
 }
 
+// What rounding may do to a height over it: more, the thinner its shadow.
+double loss_of(const SeenTriangle& t, double size) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::hypot(t[(k + 1) % 3].x - t[k].x, t[(k + 1) % 3].y - t[k].y));
+  return rounding * size * (10 + 0.05 * longest * longest / cross(t[0], t[1], t[2]));
+}
+
 // Where the two shadows overlap, touch or nearly touch, the largest difference of heights: it is at a corner of the common polygon.
 std::optional<double> apart(const SeenTriangle& s, const SeenTriangle& t, double slack) {
   std::array<Seen, 10> polygon, next;
@@ -152,7 +159,7 @@ std::optional<std::vector<double>> match(const std::vector<MovedTriangle>& befor
   for (std::size_t i = 0; i < fan.size(); ++i)
     for (std::size_t j = 0; j < before.size(); ++j)
       if (const auto by = apart(old_seen[j], new_seen[i], rounding * size))
-        moved[i] = std::max(moved[i], before[j].moved + *by + 10 * rounding * size);
+        moved[i] = std::max(moved[i], before[j].moved + *by + loss_of(new_seen[i], size));
   return moved;
 }
 
