@@ -24,7 +24,11 @@ OffsetSolidPtr OffsetSolid::transformed(const Eigen::Matrix4d& map) const {
   const double square = a.squaredNorm() / 3;
   if (!((a.transpose() * a - square * Eigen::Matrix3d::Identity()).norm() <= 1e-12 * square))
     throw std::invalid_argument("matrix: an offset solid can be moved, mirrored and scaled evenly; for other maps, take the solid of its result");
-  if (!faces_.empty()) return about_faces(solid_->transformed(map), faces_, distance_ * std::sqrt(square));
+  if (!faces_.empty()) {
+    const PolyhedronPtr image = solid_->transformed(map);
+    if (image->triangles().size() != solid_->triangles().size()) throw std::invalid_argument("matrix: some of the solid's triangles vanish");
+    return about_faces(image, faces_, distance_ * std::sqrt(square));
+  }
   return make(solid_->transformed(map), distance_ * std::sqrt(square));
 }
 
