@@ -9,6 +9,7 @@
 #include <random>
 
 #include "decimation/star_map.h"
+#include "solids/point_distance.h"
 #include "solids/self_intersection.h"
 
 namespace starcell {
@@ -61,17 +62,6 @@ Sample cube(int n) {
   return s;
 }
 
-double to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const double t = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (x - a - t * (b - a)).norm();
-}
-
-double to_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 n = (b - a).cross(c - a);
-  const bool over = n.cross(b - a).dot(x - a) >= 0 && n.cross(c - b).dot(x - b) >= 0 && n.cross(a - c).dot(x - c) >= 0;
-  return over ? std::abs(n.dot(x - a)) / n.norm() : std::min({to_segment(x, a, b), to_segment(x, b, c), to_segment(x, c, a)});
-}
-
 // The farthest that points of `from` are from `to`, at corners and random places of its triangles.
 double farthest(const std::vector<Vec3>& from, const std::vector<Triangle>& from_triangles, const std::vector<Vec3>& to,
                 const std::vector<Triangle>& to_triangles, unsigned seed) {
@@ -84,7 +74,7 @@ double farthest(const std::vector<Vec3>& from, const std::vector<Triangle>& from
       if (k == 0) w = Vec3(1, 0, 0);
       const Vec3 p = (w[0] * from[t[0]] + w[1] * from[t[1]] + w[2] * from[t[2]]) / w.sum();
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Triangle& s : to_triangles) nearest = std::min(nearest, to_triangle(p, to[s[0]], to[s[1]], to[s[2]]));
+      for (const Triangle& s : to_triangles) nearest = std::min(nearest, sample::to_triangle(p, to[s[0]], to[s[1]], to[s[2]]));
       farthest = std::max(farthest, nearest);
     }
   return farthest;
