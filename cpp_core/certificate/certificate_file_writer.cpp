@@ -130,7 +130,7 @@ class Storing {
     const auto [place, is_new] = known_.emplace(solid.get(), static_cast<std::uint32_t>(file_.operands.size()));
     if (is_new)
       file_.operands.push_back(
-          {solid->provenance().name, solid->provenance().deflection, {solid->vertices(), solid->triangles()}});
+          {solid->provenance().name, solid->provenance().proved_deflection(), {solid->vertices(), solid->triangles()}});
     return place->second;
   }
 

@@ -148,6 +148,7 @@ class Check {
 
   /// What contouring may deviate from the exact Boolean of the operands as they are stored.
   double bound_without_deflection() const {
+    if (std::isinf(c_.error_bound)) return c_.error_bound;
     double deflection = 0;
     for (const StoredOperand& operand : file_.operands) deflection = std::max(deflection, operand.deflection);
     return std::max(0.0, c_.error_bound - deflection);

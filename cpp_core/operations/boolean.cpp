@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -65,11 +66,19 @@ class Evaluation {
     Certificate& c = result_.certificate;
     c.requested_error = tolerances_.error;
     c.contact_tolerance = tolerances_.contact;
-    for (const auto& solid : all_polyhedra(operands_))
-      if (solid->provenance().deflection > 0)
-        c.tessellated.emplace_back(solid->provenance().name, solid->provenance().deflection);
+    std::vector<Box3> open_operands;
+    for (const auto& solid : all_polyhedra(operands_)) {
+      const Provenance& from = solid->provenance();
+      if (from.deflection > 0) c.tessellated.emplace_back(from.name, from.proved_deflection());
+      open_operands.insert(open_operands.end(), from.unresolved.begin(), from.unresolved.end());
+    }
     c.error_bound = tolerances_.inputs;
     if (!box_.isEmpty() && box_.sizes().maxCoeff() > 0) mesh();
+    if (!open_operands.empty()) {   // what was not proved of an operand is not proved of the result
+      c.verdict = Verdict::unresolved;
+      c.error_bound = std::numeric_limits<double>::infinity();
+      c.unresolved.insert(c.unresolved.end(), open_operands.begin(), open_operands.end());
+    }
     count_topology(result_.vertices, result_.triangles, c);
     add_statistics(statistics_, c);
     c.statistics["triangles"] = static_cast<double>(result_.triangles.size());

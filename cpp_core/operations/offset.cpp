@@ -23,20 +23,17 @@ constexpr double contour_share = 0.5;
 // A certified mesh as an operand, in few triangles: what its error leaves over goes to decimation. Distances from few large triangles
 // that bend one way are smoother than from many small ones that bend both ways, as contouring leaves them.
 PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progress& progress) {
-  const double left = error - mesh.certificate.error_bound;
+  const auto go_on = [&] {
+    if (progress && !progress(0.99, "decimating")) throw CancelledError("The run was cancelled.");
+    return true;
+  };
+  const double bound = std::min(mesh.certificate.error_bound, error);   // what is more than asked for is at the unresolved places
+  Decimated few = decimate(std::move(mesh.vertices), std::move(mesh.triangles), error - bound, go_on);
   Provenance provenance;
   provenance.name = name;
-  provenance.deflection = mesh.certificate.error_bound;
-  if (left > 0) {
-    const auto go_on = [&] {
-      if (progress && !progress(0.99, "decimating")) throw CancelledError("The run was cancelled.");
-      return true;
-    };
-    Decimated few = decimate(std::move(mesh.vertices), std::move(mesh.triangles), left, go_on);
-    provenance.deflection += few.bound;
-    return Polyhedron::trusted(std::move(few.vertices), std::move(few.triangles), std::move(provenance));
-  }
-  return Polyhedron::trusted(std::move(mesh.vertices), std::move(mesh.triangles), std::move(provenance));
+  provenance.deflection = bound + few.bound;
+  provenance.unresolved = std::move(mesh.certificate.unresolved);
+  return Polyhedron::trusted(std::move(few.vertices), std::move(few.triangles), std::move(provenance));
 }
 
 class Offsetting {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,10 @@ struct Provenance {
   std::string name;              ///< operand's name in reports; may be empty
   double deflection = 0.0;       ///< measured two-sided distance to the CAD shape; 0: the polyhedron is the shape
   std::vector<std::int32_t> cad_face;  ///< per triangle: index of the CAD face it came from; empty: none
+  std::vector<Box3> unresolved{};      ///< where a mesh made on the way is not certified: `deflection` does not hold there
+
+  /// The deflection that holds everywhere.
+  double proved_deflection() const { return unresolved.empty() ? deflection : std::numeric_limits<double>::infinity(); }
 };
 
 class Polyhedron {

@@ -137,6 +137,20 @@ TEST(Offset, WhatHasNoClosedFormIsNamed) {
   expect_result(r, solid_ball(), steiner(1, 1, 0.5, 1.2), 0.1, "disc");
 }
 
+// A mesh made on the way that ran out of its budget proves nothing of the result.
+TEST(Offset, OfWhatIsNotCertifiedIsNot) {
+  const Expression bitten = solid(block({0, 0, 0}, {2, 2, 2})) - Expression(CurvedSolid::sphere({1, 1, 2}, 0.7));
+  Options options = with_error(0.1);
+  options.budget.max_depth = 4;
+  const Prepared prepared = prepare_offset(bitten, 0.2, options);
+  Options patient = prepared.options;
+  patient.budget = {};
+  const Result r = evaluate(prepared.expression, patient);
+  EXPECT_EQ(r.certificate.verdict, Verdict::unresolved);
+  EXPECT_FALSE(r.certificate.unresolved.empty());
+  EXPECT_TRUE(std::isinf(r.certificate.error_bound));
+}
+
 TEST(Offset, RefusesWhatIsNoDistance) {
   const Expression a = solid(block({0, 0, 0}, {1, 1, 1}));
   for (const double distance : {0.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
