@@ -88,19 +88,18 @@ bool ask(const py::object& callback, const Report& report) {
 
 }  // namespace
 
-Result run_interruptible(const py::object& callback, const std::function<Result(const Progress&)>& work) {
+void run_interruptible(const py::object& callback, const std::function<void(const Progress&)>& work) {
   const bool has_callback = !callback.is_none();
   // Asked once before the work begins, so that also a run too short to report can be refused.
   bool refused = has_callback && !ask(callback, {0.0, "start"});
   if (refused) throw CancelledError("The run was cancelled: the progress callback returned False.");
 
   Desk desk(has_callback);
-  std::optional<Result> result;
   std::exception_ptr failure;    // of the work
   std::exception_ptr interrupt;  // of Python: a callback's exception or a signal's; outranks the work's
   std::thread worker([&] {
     try {
-      result = work([&desk](double fraction, const std::string& stage) { return desk.report(fraction, stage); });
+      work([&desk](double fraction, const std::string& stage) { return desk.report(fraction, stage); });
     } catch (...) {
       failure = std::current_exception();
     }
@@ -132,7 +131,6 @@ Result run_interruptible(const py::object& callback, const std::function<Result(
   if (interrupt) std::rethrow_exception(interrupt);
   if (failure) std::rethrow_exception(failure);
   if (refused) throw CancelledError("The run was cancelled: the progress callback returned False.");
-  return std::move(*result);
 }
 
 }  // namespace starcell::python

@@ -10,12 +10,12 @@
 
 #include <functional>
 
-#include "operations/boolean.h"
+#include "operations/options.h"
 
 namespace starcell::python {
 
-/// Calls work(progress) and returns its result. `callback` is None or callable(fraction, stage) -> bool; None as an
+/// Calls work(progress). `callback` is None or callable(fraction, stage) -> bool; None as an
 /// answer means go on. Throws what work throws, CancelledError after False, the callback's own exception after one.
-Result run_interruptible(const pybind11::object& callback, const std::function<Result(const Progress&)>& work);
+void run_interruptible(const pybind11::object& callback, const std::function<void(const Progress&)>& work);
 
 }  // namespace starcell::python

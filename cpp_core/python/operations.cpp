@@ -74,9 +74,10 @@ py::object evaluate_expression(const Expression& expression, std::optional<doubl
   const bool raises = read_raises(on_unresolved);
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
   Options options = read_options(error, contact, criterion, threads, budget);
-  Result result = run_interruptible(progress, [&](const Progress& report) {
+  Result result;
+  run_interruptible(progress, [&](const Progress& report) {
     options.progress = report;
-    return evaluate(expression, options);
+    result = evaluate(expression, options);
   });
   const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
   const Certificate& certificate = record->result.certificate;
@@ -95,7 +96,8 @@ py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
   Options options = read_options(error, contact, criterion, threads, budget);
   std::optional<Expression> expression;
-  Result result = run_interruptible(progress, [&](const Progress& report) {
+  Result result;
+  run_interruptible(progress, [&](const Progress& report) {
     // What is meshed on the way has the first part of the bar, if anything is.
     double begun = 0;
     options.progress = [&](double done, const std::string& stage) {
@@ -105,7 +107,7 @@ py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::
     Prepared prepared = prepare(options);
     expression = prepared.expression;
     prepared.options.progress = [&](double done, const std::string& stage) { return report(begun + (1 - begun) * done, stage); };
-    return evaluate(prepared.expression, prepared.options);
+    result = evaluate(prepared.expression, prepared.options);
   });
   const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
   const Certificate& certificate = record->result.certificate;

@@ -1,4 +1,4 @@
-// The Python module `starcell`. A concept a file: exceptions, solids, expressions, certificate, operations.
+// The Python module `starcell`. A concept a file: exceptions, solids, expressions, certificate, operations, inspection.
 #include "bindings.h"
 
 PYBIND11_MODULE(starcell, module) {
@@ -13,4 +13,5 @@ PYBIND11_MODULE(starcell, module) {
   bind_solids(module);
   bind_curved_solids(module);
   bind_operations(module);
+  bind_inspection(module);
 }

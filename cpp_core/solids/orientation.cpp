@@ -1,13 +1,8 @@
 // Flood fill for consistency. For the outward side, per shell: the sign of its volume, and the parity of the other
 // shells' facets above one of its points. Both are decided by a floating-point value with a proven error bound, or
-// else exactly (CGAL's dyadic numbers, CGAL's filtered predicates).
-//
-// The upward ray from p may graze edges and vertices. It is therefore shot from p + (δ, δ²) for an infinitesimal δ
-// (Edelsbrunner & Muecke, "Simulation of Simplicity", 1990): every edge then passes strictly left or right of it, so
-// the parity needs no second ray. Moving p so little changes nothing, because p lies on none of the facets counted.
+// else exactly (CGAL's dyadic numbers, and upward_ray.h, whose condition holds: a point of one shell is on no other).
 #include "solids/orientation.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mpzf.h>
 #include <tbb/parallel_for.h>
 
@@ -16,11 +11,10 @@
 #include <utility>
 
 #include "solids/triangle_hierarchy.h"
+#include "solids/upward_ray.h"
 
 namespace starcell {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 int next(int k) { return k == 2 ? 0 : k + 1; }
 
@@ -73,23 +67,6 @@ int exact_volume_sign(const std::vector<Vec3>& vertices, const std::vector<Trian
           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   }
   return CGAL::sign(sum);
-}
-
-// Side of the line a-b, seen from above, on which p + (δ, δ²) lies; 0 only if a and b are one point seen from above.
-int side_from_above(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const auto flat = [](const Vec3& q) { return Kernel::Point_2(q[0], q[1]); };
-  const int sign = CGAL::orientation(flat(a), flat(b), flat(p));
-  if (sign != 0) return sign;
-  if (a[1] != b[1]) return b[1] > a[1] ? -1 : 1;
-  return a[0] == b[0] ? 0 : b[0] > a[0] ? 1 : -1;
-}
-
-bool is_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  const int turn = side_from_above(a, b, p);
-  if (turn == 0 || side_from_above(b, c, p) != turn || side_from_above(c, a, p) != turn) return false;
-  const auto point = [](const Vec3& q) { return Kernel::Point_3(q[0], q[1], q[2]); };
-  // p below the plane of a, b, c, which run counter-clockwise (turn > 0) seen from above
-  return CGAL::orientation(point(a), point(b), point(c), point(p)) * turn < 0;
 }
 
 }  // namespace
