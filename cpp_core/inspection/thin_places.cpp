@@ -128,15 +128,19 @@ class Search {
         if (next != buckets.end()) sets.join(bucket, next->second);
       }
     std::map<std::uint32_t, ThinPlace> places;
+    std::map<std::uint32_t, Box3> middles;
     for (std::size_t i = 0; i < spokes.size(); ++i) {
       const auto [place, is_new] = places.try_emplace(sets.root(bucket_of[i]));
+      middles[place->first].extend(Vec3(0.5 * (spokes[i].from + spokes[i].to)));
       ThinPlace& p = place->second;
       p.thickness = is_new ? spokes[i].length() : std::min(p.thickness, spokes[i].length());
       p.box.extend(spokes[i].from), p.box.extend(spokes[i].to);
       p.spokes.push_back(spokes[i]);
     }
     std::vector<ThinPlace> sorted;
-    for (auto& [root, place] : places) sorted.push_back(std::move(place));
+    // What is not as wide as a spacing is the tip of something, or a fold that meshing left.
+    for (auto& [root, place] : places)
+      if (middles[root].sizes().maxCoeff() >= spacing_) sorted.push_back(std::move(place));
     std::stable_sort(sorted.begin(), sorted.end(), [](const ThinPlace& a, const ThinPlace& b) { return a.thickness < b.thickness; });
     return sorted;
   }

@@ -1,11 +1,11 @@
 // Where a solid's walls, or the gaps between them, are thinner than a given thickness.
 //
 // From points all over the surface, rays run along the normal: inward through walls, outward across gaps. One that meets a face looking
-// the other way nearer than the thickness is a spoke (the ray method of
-// wall thickness checks). No ball of that diameter that stays on its side of the surface touches it where the spoke begins: such a ball
-// would contain more of the normal than the spoke is long. So an erosion or an opening by half the thickness loses the wall there, a closing fills the gap.
-// Guarantees: every spoke is real, up to the rounding of doubles. Does not guarantee to find a place smaller than `spacing`, nor walls
-// whose sides differ by 60 degrees or more: those are edges, and taper off anyway.
+// the other way nearer than the thickness is a spoke (the ray method of wall thickness checks). No ball of that diameter that stays on
+// its side of the surface touches it where the spoke begins: it would contain more of the normal than the spoke is long. So an erosion
+// or an opening by half the thickness loses the wall there, and a closing fills the gap.
+// Guarantees: every spoke is real, up to the rounding of doubles. Does not guarantee to find every place: those narrower than `spacing`
+// are left out, and walls whose sides differ by 60 degrees or more are edges, which taper off anyway.
 #pragma once
 
 #include <functional>

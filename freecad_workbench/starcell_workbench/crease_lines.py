@@ -27,7 +27,7 @@ class CreaseLines:
 
     def update(self, vobj, mesh):
         # FreeCAD fills the scene after it has asked the proxy to attach, so the lines join it here.
-        shaded = _shaded_mode(vobj)
+        shaded = shaded_mode(vobj)
         if shaded and shaded.findChild(self.node) < 0:
             shaded.insertChild(coin.SoPolygonOffset(), 0)  # the faces give way to the lines on them
             shaded.addChild(self.node)
@@ -56,7 +56,7 @@ def creases(points, triangles, degrees):
     return sides[first][cosine < numpy.cos(numpy.radians(degrees))]
 
 
-def _shaded_mode(vobj):
+def shaded_mode(vobj):
     """The scene of the display mode 'Shaded': first below the switch, and the only one in it with neither points nor edges."""
     for child in vobj.RootNode.getChildren():
         if child.isOfType(coin.SoSwitch.getClassTypeId()) and child.getNumChildren():

@@ -1,7 +1,7 @@
 """Offset, shell, opening and closing (T§4.2): morphology of one solid with a ball."""
 import FreeCAD
 
-from . import operands
+from . import operands, wall_findings
 from .operation_feature import OperationFeature, Parameter, Role
 from .translation import QT_TRANSLATE_NOOP, translate
 
@@ -9,14 +9,28 @@ from .translation import QT_TRANSLATE_NOOP, translate
 class _Morphology(OperationFeature):
     call = ""  # the engine's function of a solid and an amount
     roles = (Role("Source", QT_TRANSLATE_NOOP("App::Property", "The solid to work on"), many=False),)
+    outputs = wall_findings.PROPERTIES
+    counts_parts = True  # whether the result is inside the source, or the source in it, well apart
 
     def compute(self, starcell, solids, values, options):
         amount = values[self.parameters[0].name]
         return getattr(starcell, self.call)(solids["Source"], amount, **options)
 
+    def examine(self, starcell, solids, values, result, options):
+        progress = options["progress"]
+        return wall_findings.examine(starcell, solids["Source"], self.reach_of_ball(values[self.parameters[0].name]), result, options["error"],
+                                     lambda done, stage: progress(1.0, stage), self.counts_parts)
+
+    def published(self, obj, result, findings):
+        wall_findings.publish(obj, findings)
+
     def grown(self, amount):
         """How far the result may reach beyond the source."""
         return 0.0
+
+    def reach_of_ball(self, amount):
+        """How far the ball moves the surface at first: above 0 outward."""
+        return amount
 
     def _automatic_error(self, obj, given):
         # The result's size is known only with the amount.
@@ -38,10 +52,6 @@ class Offset(_Morphology):
     def grown(self, amount):
         return max(0.0, amount)
 
-    def published(self, obj, result):
-        if not len(result.triangles):
-            obj.Report += "\n" + translate("StarCell", "Nothing is left: the solid is nowhere thicker than twice that distance.")
-
 
 class Shell(_Morphology):
     command = "StarCell_Shell"
@@ -49,6 +59,7 @@ class Shell(_Morphology):
     help = QT_TRANSLATE_NOOP("StarCell", "Makes a wall of even thickness about a solid's surface, open where faces are picked, with a proved topology and distance")
     call = "shell"
     faces = "OpenFaces"
+    counts_parts = False
     parameters = (Parameter("Thickness", "App::PropertyDistance", QT_TRANSLATE_NOOP(
         "App::Property", "Thickness of the wall: above 0 outside the solid, below 0 inside"), default=1.0),
                   Parameter("OpenFaces", "App::PropertyStringList", QT_TRANSLATE_NOOP(
@@ -89,13 +100,20 @@ class Erode(_Morphology):
     call = "erode"
     parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the ball"), default=1.0),)
 
+    def reach_of_ball(self, amount):
+        return -amount
+
 
 class Opening(_Morphology):
     command = "StarCell_Opening"
     title = QT_TRANSLATE_NOOP("StarCell", "Opening")
     help = QT_TRANSLATE_NOOP("StarCell", "Rounds convex edges with a constant radius, and removes what is thinner than twice that")
     call = "opening"
+    counts_parts = False
     parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the rounding"), default=1.0),)
+
+    def reach_of_ball(self, amount):
+        return -amount
 
 
 class Closing(_Morphology):
@@ -103,4 +121,5 @@ class Closing(_Morphology):
     title = QT_TRANSLATE_NOOP("StarCell", "Closing")
     help = QT_TRANSLATE_NOOP("StarCell", "Rounds concave edges with a constant radius, and fills what is narrower than twice that")
     call = "closing"
+    counts_parts = False
     parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the rounding"), default=1.0),)

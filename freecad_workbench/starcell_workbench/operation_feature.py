@@ -46,6 +46,7 @@ class OperationFeature(Stateless):
     roles = ()
     parameters = ()
     faces = None    # the parameter that takes the names of faces picked with the operand, if there is one
+    outputs = ()    # (type, name, attributes, help) of what published() sets
 
     def compute(self, starcell, solids, values, options):
         """The engine's call. solids: {role: solid or list of solids}; values: {parameter: value}; options: error, contact, ..."""
@@ -55,8 +56,11 @@ class OperationFeature(Stateless):
         """What the linked object `each` is for `obj`: label, box, and solid() for the worker. Shapes are written to files in `folder`."""
         return operands.gather(each, obj, folder)
 
-    def published(self, obj, result):
-        """Called when the output properties are set: an operation with more to say adds it here."""
+    def examine(self, starcell, solids, values, result, options):
+        """More to know of the result than its certificate, for published(); called in the worker, like compute()."""
+
+    def published(self, obj, result, findings):
+        """Called when the output properties are set: an operation with more to say adds it here. findings: what examine() returned."""
 
     def reach(self, boxes):
         """A box that the result will not leave, from {role: box or list of boxes}: it sets the automatic error."""
@@ -104,6 +108,8 @@ class OperationFeature(Stateless):
                 ("App::PropertyString", "Report", QT_TRANSLATE_NOOP("App::Property", "The certificate in words")),
                 ("App::PropertyString", "Certificate", QT_TRANSLATE_NOOP("App::Property", "The certificate as JSON"))):
             add(type_, name, "Certificate", help_, READ_ONLY | OUTPUT)
+        for type_, name, attributes, help_ in self.outputs:
+            add(type_, name, "Findings", help_, attributes)
 
     def linked(self, obj):
         """The operands, role after role."""
@@ -120,14 +126,14 @@ class OperationFeature(Stateless):
             with tempfile.TemporaryDirectory(prefix="starcell-") as folder:
                 given = self._gather(obj, folder)
                 work, asked = self._work(obj, starcell, given)
-                result = runner.run(work, obj.Label)
+                result, findings = runner.run(work, obj.Label)
             mesh = mesh_transfer.to_mesh(result.vertices, result.triangles)
         except Exception as problem:
             raise RuntimeError("{}: {}".format(obj.Label, problem)) from None
         mesh.Placement = obj.Placement  # assigning a mesh overwrites the object's placement
         obj.Mesh = mesh
         report.publish(obj, result, asked, self.linked(obj), time.monotonic() - start)
-        self.published(obj, result)
+        self.published(obj, result, findings)
 
     def _gather(self, obj, folder):
         """{role: Operand or list of Operands}, and the links to the containers whose placement matters."""
@@ -158,7 +164,9 @@ class OperationFeature(Stateless):
         def work(progress):
             progress(0.0, reading)
             solids = _over(given, lambda operand: operand.solid(starcell, TESSELLATION_SHARE * error))
-            return self.compute(starcell, solids, values, dict(options, progress=progress))
+            with_progress = dict(options, progress=progress)
+            result = self.compute(starcell, solids, values, with_progress)
+            return result, self.examine(starcell, solids, values, result, with_progress)
 
         return work, error
 
@@ -170,10 +178,13 @@ class OperationFeature(Stateless):
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
-        if FreeCAD.GuiUp and obj.ViewObject and not obj.ViewObject.Proxy:  # saved by a session without a GUI
-            from .operation_view import OperationView
+        if FreeCAD.GuiUp and obj.ViewObject:
+            if obj.ViewObject.Proxy:
+                obj.ViewObject.Proxy.add_properties(obj.ViewObject)
+            else:  # saved by a session without a GUI
+                from .operation_view import OperationView
 
-            OperationView(obj.ViewObject)
+                OperationView(obj.ViewObject)
 
 
 def recompute(obj):

@@ -1,8 +1,9 @@
 """How an operation's object shows itself: icon, operands as children, editing, and a colour of warning if unresolved."""
 import FreeCADGui
 
-from . import crease_lines, resources
+from . import crease_lines, resources, thin_highlight
 from .stateless import Stateless
+from .translation import QT_TRANSLATE_NOOP
 
 WARNING_COLOR = (1.0, 0.60, 0.0)
 HIDDEN = 4
@@ -15,11 +16,20 @@ class OperationView(Stateless):
         vobj.PlainColor = vobj.ShapeColor
         vobj.CreaseAngle = crease_lines.CREASE_DEGREES  # shades smoothly up to there
         vobj.Proxy = self
+        self.add_properties(vobj)
 
     def attach(self, vobj):
         self.obj = vobj.Object
         self.task = None
         self.creases = crease_lines.CreaseLines()
+        self.thin = thin_highlight.ThinHighlight()
+
+    def add_properties(self, vobj):
+        """Adds what is missing: to one of an older version what came later."""
+        if hasattr(vobj.Object, "ThinPlaces") and not hasattr(vobj, "ShowThinPlaces"):
+            vobj.addProperty("App::PropertyBool", "ShowThinPlaces", "StarCell", QT_TRANSLATE_NOOP(
+                "App::Property", "Draws the walls or gaps that are too thin, over everything else"))
+            vobj.ShowThinPlaces = True
 
     def getIcon(self):
         if self.obj.Verdict == "unresolved":
@@ -32,6 +42,8 @@ class OperationView(Stateless):
     def updateData(self, obj, name):
         if name == "Mesh":
             self.creases.update(obj.ViewObject, obj.Mesh)
+        if name in ("Mesh", "ThinSpokes", "ThinPlaces") and hasattr(obj, "ThinSpokes"):
+            self.thin.update(obj)
         if name != "Verdict" or not hasattr(obj.ViewObject, "PlainColor"):
             return
         vobj = obj.ViewObject
@@ -42,6 +54,10 @@ class OperationView(Stateless):
         elif obj.Verdict != "unresolved" and flagged:
             vobj.ShapeColor = vobj.PlainColor
         vobj.signalChangeIcon()
+
+    def onChanged(self, vobj, name):
+        if name == "ShowThinPlaces":
+            self.thin.show(vobj.ShowThinPlaces)
 
     def doubleClicked(self, vobj):
         FreeCADGui.ActiveDocument.setEdit(vobj.Object)

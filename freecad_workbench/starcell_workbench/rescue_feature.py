@@ -37,7 +37,7 @@ class Rescue(OperationFeature):
     def compute(self, starcell, solids, values, options):
         return starcell.evaluate(solids["Source"], **options)
 
-    def published(self, obj, result):
+    def published(self, obj, result, findings):
         measured = opencascade_result.measure(obj.Source)
         area = mesh_transfer.area(result.vertices, result.triangles)
         tolerance = result.certificate.error_bound * area + ROUNDING * obj.Volume.Value

@@ -23,6 +23,7 @@ class OperationTask:
         self.form.addOperands.clicked.connect(self.add_operands)
         self.form.removeOperands.clicked.connect(self.remove_operands)
         self.form.apply.clicked.connect(self.apply)
+        self.form.showThinPlaces.toggled.connect(self.show_thin_places)
         # A dragged row is in place only after the drop.
         settle = QtCore.QTimer(self.form, singleShot=True, interval=0)
         settle.timeout.connect(self.show_roles)
@@ -110,6 +111,12 @@ class OperationTask:
         form.volume.setText("{:.6g} mm³".format(obj.Volume.Value))
         form.seconds.setText("{:.2f}".format(obj.Seconds))
         form.report.setText(obj.Report)
+        form.showThinPlaces.setVisible(bool(getattr(obj, "ThinPlaces", ())))
+        form.showThinPlaces.setChecked(getattr(obj.ViewObject, "ShowThinPlaces", False))
+
+    def show_thin_places(self, wanted):
+        if hasattr(self.obj.ViewObject, "ShowThinPlaces"):
+            self.obj.ViewObject.ShowThinPlaces = wanted
 
     def show_problem(self, text):
         self.form.problem.setText(text)

@@ -43,6 +43,74 @@ class Offsets(DocumentTest):
         self.assertEqual((obj.Components, obj.Mesh.CountFacets), (0, 0))
         self.assertIn("Nothing is left", obj.Report)
 
+    def dumbbell(self):
+        """Two cubes of 10, joined by a plate 20 x 10 x 1, as one compound's worth of solids fused by StarCell."""
+        ends = []
+        for name, size, at in (("Left", (10, 10, 10), (0, 0, 0)), ("Plate", (22, 10, 1), (9, 0, 4)), ("Right", (10, 10, 10), (30, 0, 0))):
+            box = self.doc.addObject("Part::Box", name)
+            box.Length, box.Width, box.Height = size
+            box.Placement.Base = at
+            ends.append(box)
+        self.doc.recompute()
+        return scw.make_union(ends, error=0.1)
+
+    def test_a_thin_wall_is_named_where_the_part_falls_apart(self):
+        obj = scw.make_offset(self.dumbbell(), -0.6, error=0.2)
+        self.assertResult(obj, 2 * 8.8 ** 3, [0, 0], relative=2e-3)  # and a little that reaches towards the plate
+        self.assertEqual(len(obj.ThinPlaces), 2)
+        low, high = obj.ThinPlaces
+        for got, wanted in zip((*low, *high), (10, 0, 4, 30, 10, 5)):
+            self.assertAlmostEqual(got, wanted, delta=0.5)
+        self.assertAlmostEqual(obj.Thicknesses[0], 1, places=4)
+        self.assertIn("1 of 1 parts fall(s) apart, into 2 pieces.", obj.Report)
+        self.assertIn("Walls thinner than 1.2 mm: 1 place(s).", obj.Report)
+        obj.Distance = -0.4
+        self.doc.recompute()
+        self.assertEqual((obj.Components, list(obj.ThinPlaces), list(obj.ThinSpokes)), (1, [], []))
+        self.assertNotIn("thinner", obj.Report)
+
+    def test_gaps_that_close_are_named(self):
+        bar = self.doc.addObject("Part::Box", "Bar")
+        bar.Length, bar.Width, bar.Height, bar.Placement.Base = 10, 8, 6, (12, 0, 0)
+        self.doc.recompute()
+        both = scw.make_union([self.a, bar], error=0.2)
+        obj = scw.make_offset(both, 1.1, error=0.2)
+        self.assertEqual(obj.Components, 1)
+        self.assertIn("2 parts grow together into 1.", obj.Report)
+        self.assertAlmostEqual(obj.Thicknesses[0], 2, places=4)
+        closed = scw.make_closing(both, 1.1, error=0.4)
+        self.assertIn("Gaps narrower than 2.2 mm: 1 place(s).", closed.Report)
+
+    def test_an_opening_names_what_it_loses(self):
+        obj = scw.make_opening(self.dumbbell(), 0.6, error=0.3)
+        self.assertEqual((obj.Components, len(obj.ThinPlaces)), (2, 2))
+
+    def test_thin_walls_of_what_is_curved(self):
+        ball, hollow = self.doc.addObject("Part::Sphere", "Ball"), self.doc.addObject("Part::Sphere", "Hollow")
+        ball.Radius, hollow.Radius = 5, 4.5
+        hollow.Placement.Base = (0, 0, 0.2)
+        self.doc.recompute()
+        obj = scw.make_erode(scw.make_cut(ball, hollow), 0.4, error=0.1)
+        self.assertAlmostEqual(obj.Thicknesses[0], 0.3, delta=0.1)
+
+    def test_findings_stay_in_the_document(self):
+        import os
+        import tempfile
+
+        import FreeCAD
+
+        obj = scw.make_offset(self.dumbbell(), -0.6, error=0.2)
+        spokes = list(obj.ThinSpokes)
+        self.assertTrue(spokes)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "thin.FCStd")
+            self.doc.saveAs(path)
+            again = FreeCAD.openDocument(path)
+            try:
+                self.assertEqual(list(again.getObject(obj.Name).ThinSpokes), spokes)
+            finally:
+                FreeCAD.closeDocument(again.Name)
+
     def test_curved_primitives_stay_exact_where_there_is_a_closed_form(self):
         ball = self.doc.addObject("Part::Sphere", "Ball")
         ball.Radius = 5

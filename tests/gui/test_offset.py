@@ -55,6 +55,32 @@ class Offset(window.WindowTest):
         window.look(self.doc)
         window.shot("tray", self.doc)
 
+    def test_thin_walls_are_drawn_until_they_are_hidden(self):
+        self.rib.Visibility = False
+        ring = scw.make_cut(self.plate, self.bore)
+        shelf = self.doc.addObject("Part::Box", "Shelf")
+        shelf.Length, shelf.Width, shelf.Height = 60, 3, 40
+        shelf.Placement.Base = (0, 37, 0)
+        self.doc.recompute()
+        part = scw.make_union([ring, shelf])
+        thin = scw.make_offset(part, -2)
+        self.assertIn("Walls thinner than 4 mm", thin.Report)
+        highlight = thin.ViewObject.Proxy.thin
+        self.assertEqual(highlight.spokes.points.point.getNum(), len(thin.ThinSpokes))
+        self.assertEqual(highlight.boxes.points.point.getNum(), 24 * (len(thin.ThinPlaces) // 2))
+        self.assertTrue(highlight.is_shown())
+        window.look(self.doc)
+        FreeCADGui.Selection.clearSelection()
+        window.shot("thin-places", self.doc)
+        panel = OperationTask(thin)
+        self.assertTrue(panel.form.showThinPlaces.isChecked())
+        panel.form.showThinPlaces.setChecked(False)
+        self.assertFalse(highlight.is_shown())
+        panel.reject()
+        thin.Distance = -0.5
+        self.doc.recompute()
+        self.assertEqual(highlight.spokes.points.point.getNum(), 0)
+
     def test_the_panel_takes_a_distance_of_either_sign(self):
         obj = scw.make_offset(self.plate, 1)
         panel = OperationTask(obj)
