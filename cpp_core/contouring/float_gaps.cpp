@@ -16,6 +16,9 @@ namespace {
 
 constexpr int most_rounds = 60;
 constexpr int most_repairs = 4;
+// More than this is no sliver here and there: there is not the room for so many sheets, and trying it takes long.
+constexpr std::size_t most_pairs = 20000;
+constexpr std::size_t most_pairs_in_reach = 100;   // to the triangle
 constexpr double wanted_steps = 2.5;   // between triangles; rounding moves each by less than one
 
 std::vector<MeetingPair> merged(const std::vector<std::vector<MeetingPair>>& lists) {
@@ -35,8 +38,7 @@ class Opener {
   bool open() {
     std::vector<MeetingPair> meeting = merged(meeting_pairs(now_, triangles_, every_rounding, go_on_));
     for (int repair = 0; repair <= most_repairs; ++repair) {
-      take_near(meeting);
-      if (!push_apart()) return false;
+      if (meeting.size() > most_pairs || !take_near(meeting) || !push_apart()) return false;
       std::vector<RoundedAxes> all = every_rounding;
       all.push_back(no_axis);
       meeting = merged(meeting_pairs(now_, triangles_, all, go_on_));
@@ -59,22 +61,26 @@ class Opener {
   }
 
  private:
-  // What is worked on: the triangles that meet, and all that come within reach of them.
-  void take_near(const std::vector<MeetingPair>& meeting) {
+  // What is worked on: the triangles that meet, and all that come within reach of them. False if everything is near everything.
+  bool take_near(const std::vector<MeetingPair>& meeting) {
     near_.resize(triangles_.size(), 0);
     std::vector<char> flagged(triangles_.size(), 0);
     for (const auto& [s, t] : meeting) flagged[s] = flagged[t] = 1;
     std::mutex mutex;
+    std::atomic<std::size_t> pairs{0};
+    const std::size_t most = most_pairs_in_reach * triangles_.size();
     TriangleHierarchy(now_, triangles_, most_).overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
       if (flagged[s] || flagged[t]) {
         const std::lock_guard lock(mutex);
         near_[s] = near_[t] = 1;
       }
-      return true;
+      return ++pairs <= most;
     });
+    if (pairs > most) return false;
     worked_.clear();
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       if (near_[t] || flagged[t]) near_[t] = 1, worked_.push_back(t);
+    return true;
   }
 
   // Those that meet among them once rounded.

@@ -18,6 +18,8 @@ constexpr int most_rounds = 80;
 constexpr int patient_rounds = 4;
 constexpr std::size_t deep_for_a_look = 5000;
 constexpr std::size_t deep_for_a_curved_look = 1000;
+// With so many open places, those that float32 closes are not the trouble.
+constexpr std::size_t hopeless = 500;
 constexpr int levels_below_contact = 6;
 // Up to this many leaves another position of the grid is cheaper than the exactness that one lost.
 constexpr std::size_t small_tree = 5000;
@@ -90,6 +92,7 @@ Polish Engine::polish(Run& run) const {
   FlatMerge merge = merge_flat_regions(run.mesh, 1e-11 * scale(), go_on);
   run.bound += merge.moved;
   if (!merge.embedded || !merge.depends_on_rounding) return {merge.embedded, {}, false};
+  if (run.unresolved.size() > hopeless) return {true, std::move(merge.meeting_as_floats), true};
   const double most = std::min(0.05 * tolerances_.error, 64 * run.grid.step);
   const FloatGaps gaps = open_float_gaps(run.mesh.vertices, run.mesh.triangles, most, go_on);
   run.bound += gaps.moved;

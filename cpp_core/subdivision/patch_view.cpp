@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t max_mixed = 8;
 // How often a box is halved to find out what of it a surface reaches.
 constexpr int max_halvings = 2;
+// A kink's slopes one by one, if they are no more: a box about all of them has corners that are far from any.
+constexpr std::size_t most_slopes_each = 16;
 
 }  // namespace
 
@@ -243,15 +245,20 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
   // The corners of the slopes' boxes stand for all of them; the program's margin is the slack of T§3.5.4. (Of two
   // patches the bisector is all there is to try.)
   std::vector<Vec3> corners;
-  for (std::size_t i = 0; i < c.patches.size(); ++i) {
-    const Interval3& slope = expansions_[c.patches[i]].slope;
+  const auto add_corners = [&](const Interval3& slope, int sense) {
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 g;
       for (int k = 0; k < 3; ++k) g[k] = corner >> k & 1 ? slope[k].upper() : slope[k].lower();
       if (flat_axis >= 0 && (corner >> flat_axis & 1)) continue;
-      g = c.sense[i] * flat(g);
+      g = sense * flat(g);
       if (g.norm() > 0) corners.push_back(g.normalized());
     }
+  };
+  for (std::size_t i = 0; i < c.patches.size(); ++i) {
+    const Expansion& e = expansions_[c.patches[i]];
+    if (e.slopes.empty() || e.slopes.size() > most_slopes_each) add_corners(e.slope, c.sense[i]);
+    else
+      for (const Interval3& slope : e.slopes) add_corners(slope, c.sense[i]);
   }
   if (c.patches.size() > 2)
     if (auto u = widest_direction(corners)) {

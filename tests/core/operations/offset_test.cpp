@@ -137,6 +137,16 @@ TEST(Offset, WhatHasNoClosedFormIsNamed) {
   expect_result(r, solid_ball(), steiner(1, 1, 0.5, 1.2), 0.1, "disc");
 }
 
+// Two reflex edges of a block on a plate, and the plate's far side: where their offsets meet, normals along the axes stand against a
+// kink whose slopes' box has a corner that none of them is near.
+TEST(Offset, ReflexEdgesAboveAPlate) {
+  const Expression e = solid(block({0, 0, 0}, {2, 20, 15})) | solid(block({0, 0, 0}, {10, 10, 10}));
+  const Result mesh = evaluate(e, with_error(0.1));
+  const Result r = offset(Expression(Polyhedron::trusted(mesh.vertices, mesh.triangles)), -1.1, 0.1);
+  EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(topology(r), (Topology{1, {0}}));   // the plate is gone: it is thinner than 2.2
+}
+
 // A mesh made on the way that ran out of its budget proves nothing of the result.
 TEST(Offset, OfWhatIsNotCertifiedIsNot) {
   const Expression bitten = solid(block({0, 0, 0}, {2, 2, 2})) - Expression(CurvedSolid::sphere({1, 1, 2}, 0.7));
