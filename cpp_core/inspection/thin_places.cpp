@@ -68,7 +68,7 @@ class Search {
     tree_.build();
   }
 
-  ThinPlaces run(const std::function<bool()>& go_on) {
+  Spokes run(const std::function<bool()>& go_on) {
     std::vector<std::vector<Spoke>> found(triangles_.size());   // in order, whatever the threads do
     std::atomic<bool> stopped{false};
     std::mutex asking;
@@ -84,9 +84,9 @@ class Search {
       });
     });
     if (stopped) throw CancelledError("The run was cancelled.");
-    std::vector<Spoke> all;
-    for (const auto& of_triangle : found) all.insert(all.end(), of_triangle.begin(), of_triangle.end());
-    return {gather(all), spacing_};
+    Spokes result{{}, spacing_};
+    for (const auto& of_triangle : found) result.all.insert(result.all.end(), of_triangle.begin(), of_triangle.end());
+    return result;
   }
 
  private:
@@ -101,8 +101,8 @@ class Search {
     if (!hit) return;
     const auto* at = boost::get<Kernel::Point_3>(&hit->first);
     if (!at) return;   // along a face: none that looks the other way
-    const Spoke spoke{p, {at->x(), at->y(), at->z()}};
     const auto other = static_cast<std::size_t>(hit->second - triangles_.begin());
+    const Spoke spoke{p, {at->x(), at->y(), at->z()}, static_cast<std::uint32_t>(t), static_cast<std::uint32_t>(other)};
     if (spoke.length() < thickness_ && faces_a_way_[other] && normals_[t].dot(normals_[other]) < opposite && !meet(t, other)) found.push_back(spoke);
   }
 
@@ -110,39 +110,6 @@ class Search {
   bool meet(std::size_t s, std::size_t t) const {
     const Triangle &a = solid_.triangles()[s], &b = solid_.triangles()[t];
     return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
-  }
-
-  // Spokes whose middles are in the same or in neighbouring buckets two spacings wide belong together.
-  std::vector<ThinPlace> gather(const std::vector<Spoke>& spokes) const {
-    std::map<std::array<std::int64_t, 3>, std::uint32_t> buckets;
-    std::vector<std::uint32_t> bucket_of;
-    for (const Spoke& s : spokes) {
-      const Vec3 middle = 0.5 * (s.from + s.to) / (2 * spacing_);
-      const std::array<std::int64_t, 3> key{std::llround(middle[0]), std::llround(middle[1]), std::llround(middle[2])};
-      bucket_of.push_back(buckets.emplace(key, static_cast<std::uint32_t>(buckets.size())).first->second);
-    }
-    DisjointSets sets(buckets.size());
-    for (const auto& [key, bucket] : buckets)
-      for (int i = 0; i < 27; ++i) {
-        const auto next = buckets.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
-        if (next != buckets.end()) sets.join(bucket, next->second);
-      }
-    std::map<std::uint32_t, ThinPlace> places;
-    std::map<std::uint32_t, Box3> middles;
-    for (std::size_t i = 0; i < spokes.size(); ++i) {
-      const auto [place, is_new] = places.try_emplace(sets.root(bucket_of[i]));
-      middles[place->first].extend(Vec3(0.5 * (spokes[i].from + spokes[i].to)));
-      ThinPlace& p = place->second;
-      p.thickness = is_new ? spokes[i].length() : std::min(p.thickness, spokes[i].length());
-      p.box.extend(spokes[i].from), p.box.extend(spokes[i].to);
-      p.spokes.push_back(spokes[i]);
-    }
-    std::vector<ThinPlace> sorted;
-    // What is not as wide as a spacing is the tip of something, or a fold that meshing left.
-    for (auto& [root, place] : places)
-      if (middles[root].sizes().maxCoeff() >= spacing_) sorted.push_back(std::move(place));
-    std::stable_sort(sorted.begin(), sorted.end(), [](const ThinPlace& a, const ThinPlace& b) { return a.thickness < b.thickness; });
-    return sorted;
   }
 
   const Polyhedron& solid_;
@@ -155,9 +122,48 @@ class Search {
 
 }  // namespace
 
-ThinPlaces find_thin_places(const Polyhedron& solid, double thickness, ThinSide side, const std::function<bool()>& go_on) {
+Spokes find_spokes(const Polyhedron& solid, double thickness, ThinSide side, const std::function<bool()>& go_on) {
   if (!(thickness > 0 && std::isfinite(thickness))) throw std::invalid_argument("thickness: must be finite and greater than 0");
   return Search(solid, thickness, side).run(go_on);
+}
+
+// Spokes whose middles are in the same or in neighbouring buckets two spacings wide belong together.
+ThinPlaces gather(const Spokes& found) {
+  const std::vector<Spoke>& spokes = found.all;
+  const double spacing = found.spacing;
+  std::map<std::array<std::int64_t, 3>, std::uint32_t> buckets;
+  std::vector<std::uint32_t> bucket_of;
+  for (const Spoke& s : spokes) {
+    const Vec3 middle = 0.5 * (s.from + s.to) / (2 * spacing);
+    const std::array<std::int64_t, 3> key{std::llround(middle[0]), std::llround(middle[1]), std::llround(middle[2])};
+    bucket_of.push_back(buckets.emplace(key, static_cast<std::uint32_t>(buckets.size())).first->second);
+  }
+  DisjointSets sets(buckets.size());
+  for (const auto& [key, bucket] : buckets)
+    for (int i = 0; i < 27; ++i) {
+      const auto next = buckets.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
+      if (next != buckets.end()) sets.join(bucket, next->second);
+    }
+  std::map<std::uint32_t, ThinPlace> places;
+  std::map<std::uint32_t, Box3> middles;
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    const auto [place, is_new] = places.try_emplace(sets.root(bucket_of[i]));
+    middles[place->first].extend(Vec3(0.5 * (spokes[i].from + spokes[i].to)));
+    ThinPlace& p = place->second;
+    p.thickness = is_new ? spokes[i].length() : std::min(p.thickness, spokes[i].length());
+    p.box.extend(spokes[i].from), p.box.extend(spokes[i].to);
+    p.spokes.push_back(spokes[i]);
+  }
+  std::vector<ThinPlace> sorted;
+  // What is not as wide as a spacing is the tip of something, or a fold that meshing left.
+  for (auto& [root, place] : places)
+    if (middles[root].sizes().maxCoeff() >= spacing) sorted.push_back(std::move(place));
+  std::stable_sort(sorted.begin(), sorted.end(), [](const ThinPlace& a, const ThinPlace& b) { return a.thickness < b.thickness; });
+  return {std::move(sorted), spacing};
+}
+
+ThinPlaces find_thin_places(const Polyhedron& solid, double thickness, ThinSide side, const std::function<bool()>& go_on) {
+  return gather(find_spokes(solid, thickness, side, go_on));
 }
 
 }  // namespace starcell

@@ -20,6 +20,7 @@ enum class ThinSide { wall, gap };
 /// A segment between two sides of a wall or gap, perpendicular to the one that it starts at.
 struct Spoke {
   Vec3 from, to;
+  std::uint32_t from_face, to_face;
   double length() const { return (to - from).norm(); }
 };
 
@@ -35,8 +36,20 @@ struct ThinPlaces {
   double spacing = 0;              ///< of the surface points that were looked at
 };
 
+/// All spokes shorter than `thickness` from points `spacing` apart, in the order of the faces that they start at.
+struct Spokes {
+  std::vector<Spoke> all;
+  double spacing = 0;
+};
+
 /// thickness > 0. Facets with a common corner make no wall, and facets of a tessellated solid narrower than its deflection, either way,
 /// are left out. `go_on` is asked now and then; CancelledError once it says no.
+Spokes find_spokes(const Polyhedron& solid, double thickness, ThinSide side, const std::function<bool()>& go_on = {});
+
+/// Neighbouring spokes together.
+ThinPlaces gather(const Spokes& spokes);
+
+/// Both.
 ThinPlaces find_thin_places(const Polyhedron& solid, double thickness, ThinSide side, const std::function<bool()>& go_on = {});
 
 }  // namespace starcell

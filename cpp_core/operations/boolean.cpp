@@ -66,14 +66,19 @@ class Evaluation {
     Certificate& c = result_.certificate;
     c.requested_error = tolerances_.error;
     c.contact_tolerance = tolerances_.contact;
-    std::vector<Box3> open_operands;
+    std::vector<Box3> open_operands, contacts;
     for (const auto& solid : all_polyhedra(operands_)) {
       const Provenance& from = solid->provenance();
       if (from.deflection > 0) c.tessellated.emplace_back(from.name, from.proved_deflection());
       open_operands.insert(open_operands.end(), from.unresolved.begin(), from.unresolved.end());
+      contacts.insert(contacts.end(), from.contacts.begin(), from.contacts.end());
     }
     c.error_bound = tolerances_.inputs;
     if (!box_.isEmpty() && box_.sizes().maxCoeff() > 0) mesh();
+    if (!contacts.empty()) {
+      if (c.verdict == Verdict::exact) c.verdict = Verdict::contact;
+      c.contacts.insert(c.contacts.end(), contacts.begin(), contacts.end());
+    }
     if (!open_operands.empty()) {   // what was not proved of an operand is not proved of the result
       c.verdict = Verdict::unresolved;
       c.error_bound = std::numeric_limits<double>::infinity();

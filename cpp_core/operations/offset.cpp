@@ -8,6 +8,7 @@
 
 #include "decimation/decimate.h"
 #include "operations/closed_offset.h"
+#include "operations/critical_width.h"
 #include "solids/errors.h"
 
 namespace starcell {
@@ -44,7 +45,7 @@ class Offsetting {
     using Kind = Expression::Kind;
     if (const auto closed = closed_offset(e, r)) return *closed;
     switch (e.kind()) {
-      case Kind::polyhedron: return Expression(OffsetSolid::make(e.polyhedron(), r));
+      case Kind::polyhedron: return of_polyhedron(e.polyhedron(), r);
       case Kind::complement: return of(e.operands().front(), -r).complement();
       case Kind::set_union:
         if (r > 0) return Expression::set_union(parts_of(e, r));
@@ -56,7 +57,7 @@ class Offsetting {
       case Kind::curved:
       case Kind::offset: break;
     }
-    return Expression(OffsetSolid::make(meshed(e), r));
+    return of_polyhedron(meshed(e), r);
   }
 
   /// The solid as a polyhedron: itself, or a certified mesh of it.
@@ -72,6 +73,12 @@ class Offsetting {
   }
 
  private:
+  Expression of_polyhedron(const PolyhedronPtr& solid, double r) const {
+    const double contact = options_.contact.value_or(std::isinf(error_) ? longest_side(solid->bounding_box()) / 12800 : error_ / 100);
+    const OffsetTask task = off_critical_width(solid, r, contact, [&] { return !options_.progress || options_.progress(0.99, "looking for critical widths"); });
+    return Expression(OffsetSolid::make(task.solid, task.distance));
+  }
+
   // One by one where there are closed forms. The others are taken together: their faces may lie on one plane, and so would their
   // offsets' surfaces, which have no identity.
   std::vector<Expression> parts_of(const Expression& e, double r) const {
@@ -123,7 +130,13 @@ Prepared twice(const Expression& solid, double first, const Options& options) {
   const Offsetting offsetting(error, options);
   Result mesh = evaluate(one.expression, one.options);
   if (mesh.triangles.empty()) return {one.expression, with_error(options, error)};   // it is gone, and stays so
-  const auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress);
+  std::vector<Box3> contacts = mesh.certificate.contacts;
+  auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress);
+  if (!contacts.empty()) {   // how far it was moved off them is counted in its deflection
+    Provenance provenance = middle->provenance();
+    provenance.contacts = std::move(contacts);
+    middle = Polyhedron::trusted(middle->vertices(), middle->triangles(), std::move(provenance));
+  }
   return {offsetting.of(Expression(middle), -first), with_error(options, error)};
 }
 

@@ -15,7 +15,7 @@ Tolerances split_error(const Options& options, const Box3& box, const std::vecto
   t.contact = options.contact.value_or(std::isinf(t.error) ? length / 12800 : t.error / 100);
   if (!(t.contact > 0) || std::isinf(t.contact)) throw std::invalid_argument("contact: must be greater than 0 and finite");
   t.inputs = 0;
-  for (const auto& solid : solids) t.inputs = std::max(t.inputs, solid->provenance().deflection);
+  for (const auto& solid : solids) t.inputs = std::max(t.inputs, solid->provenance().deflection + solid->provenance().moved);
   // Rounding of plane equations and of the apexes: far above what double arithmetic can lose on coordinates this large.
   const double rounding = box.isEmpty() ? 0.0 : 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   t.inputs += rounding;

@@ -64,8 +64,11 @@ PolyhedronPtr Polyhedron::transformed(const Eigen::Matrix4d& map) const {
   const Vec3 shift = map.topRightCorner<3, 1>();
   for (Vec3& p : image->vertices_) p = ((linear * p + shift).array() + 0.0).matrix();  // + 0.0: no -0.0
   validate_image(image->vertices_, image->triangles_, image->neighbours_);
-  for (Box3& box : image->provenance_.unresolved) box = box.transformed(Eigen::Affine3d(map));
-  image->provenance_.deflection *= linear.jacobiSvd().singularValues()[0];  // the most that the map stretches
+  for (auto* boxes : {&image->provenance_.unresolved, &image->provenance_.contacts})
+    for (Box3& box : *boxes) box = box.transformed(Eigen::Affine3d(map));
+  const double stretch = linear.jacobiSvd().singularValues()[0];  // the most that there is
+  image->provenance_.deflection *= stretch;
+  image->provenance_.moved *= stretch;
   image->box_ = box_of(image->vertices_);
   return image;
 }

@@ -25,6 +25,8 @@ struct Provenance {
   double deflection = 0.0;       ///< measured two-sided distance to the CAD shape; 0: the polyhedron is the shape
   std::vector<std::int32_t> cad_face;  ///< per triangle: index of the CAD face it came from; empty: none
   std::vector<Box3> unresolved{};      ///< where a mesh made on the way is not certified: `deflection` does not hold there
+  std::vector<Box3> contacts{};        ///< where it touches itself, or nearly, and was moved by no more than `moved`
+  double moved = 0.0;                  ///< how far the surface moved off such contacts
 
   /// The deflection that holds everywhere.
   double proved_deflection() const { return unresolved.empty() ? deflection : std::numeric_limits<double>::infinity(); }

@@ -147,6 +147,34 @@ TEST(Offset, ReflexEdgesAboveAPlate) {
   EXPECT_EQ(topology(r), (Topology{1, {0}}));   // the plate is gone: it is thinner than 2.2
 }
 
+// Walls of exactly twice the radius are gone, gaps closed: told as a contact, which is where the sheets would meet.
+TEST(Offset, ExactlyCriticalWidths) {
+  const auto meshed = [](const Expression& e) {
+    const Result mesh = evaluate(e, with_error(0.1));
+    return Expression(Polyhedron::trusted(mesh.vertices, mesh.triangles));
+  };
+  const Expression angle = meshed(solid(block({0, 0, 0}, {20, 2, 15})) | solid(block({0, 0, 0}, {2, 20, 15})));
+  const Expression slotted = meshed(solid(block({0, 0, 0}, {20, 20, 10})) - solid(block({9, -1, 4}, {11, 21, 11})));
+  const Result eroded = offset(angle, -1, 0.2), closed = offset(slotted, 1, 0.4);
+  EXPECT_EQ(eroded.certificate.verdict, Verdict::contact);
+  EXPECT_EQ(topology(eroded), (Topology{1, {0}}));       // the bar along the corner is thicker than its walls
+  EXPECT_LT(volume(eroded), 2 * 2 * 15);
+  EXPECT_LE(eroded.certificate.error_bound, 0.2);
+  EXPECT_EQ(closed.certificate.verdict, Verdict::contact);
+  EXPECT_EQ(topology(closed), (Topology{1, {0}}));
+  ASSERT_FALSE(closed.certificate.contacts.empty());
+  const auto& [low, high] = std::pair(closed.certificate.contacts.front().min(), closed.certificate.contacts.front().max());
+  EXPECT_LT(low.x(), 10);
+  EXPECT_GT(high.x(), 10);
+  EXPECT_LT(low.z(), 5);
+  EXPECT_GT(high.z(), 9);
+  // What is off by more than coordinates lose is told as it is.
+  EXPECT_EQ(offset(angle, -1.001, 0.2).certificate.verdict, Verdict::exact);
+  const Result thin = offset(angle, -0.99, 0.2);
+  EXPECT_EQ(thin.certificate.verdict, Verdict::exact);
+  EXPECT_GT(volume(thin), 0.02 * 2 * 15 * 13);
+}
+
 // A mesh made on the way that ran out of its budget proves nothing of the result.
 TEST(Offset, OfWhatIsNotCertifiedIsNot) {
   const Expression bitten = solid(block({0, 0, 0}, {2, 2, 2})) - Expression(CurvedSolid::sphere({1, 1, 2}, 0.7));
