@@ -32,12 +32,12 @@ class _Morphology(OperationFeature):
         """How far the ball moves the surface at first: above 0 outward."""
         return amount
 
-    def _automatic_error(self, obj, given):
+    def _automatic_error(self, obj, given, chosen):
         # The result's size is known only with the amount.
         box = FreeCAD.BoundBox(given["Source"].box)
-        box.enlarge(self.grown(getattr(obj, self.parameters[0].name).Value))
+        box.enlarge(self.grown(chosen[self.parameters[0].name]))
         if not box.isValid() or obj.ErrorDivisor < 1:
-            return super()._automatic_error(obj, given)
+            return super()._automatic_error(obj, given, chosen)
         return max(box.XLength, box.YLength, box.ZLength) / obj.ErrorDivisor
 
 
@@ -65,8 +65,8 @@ class Shell(_Morphology):
                   Parameter("OpenFaces", "App::PropertyStringList", QT_TRANSLATE_NOOP(
                       "App::Property", "Names of the source's faces that get no wall: Face3, ...")))
 
-    def gather(self, each, obj, folder):
-        return operands.gather(each, obj, folder, faces=bool(obj.OpenFaces))
+    def gather(self, each, obj, chosen, folder):
+        return operands.gather(each, obj, folder, faces=bool(chosen["OpenFaces"]))
 
     def compute(self, starcell, solids, values, options):
         names = values["OpenFaces"]

@@ -52,7 +52,7 @@ class OperationFeature(Stateless):
         """The engine's call. solids: {role: solid or list of solids}; values: {parameter: value}; options: error, contact, ..."""
         raise NotImplementedError
 
-    def gather(self, each, obj, folder):
+    def gather(self, each, obj, chosen, folder):
         """What the linked object `each` is for `obj`: label, box, and solid() for the worker. Shapes are written to files in `folder`."""
         return operands.gather(each, obj, folder)
 
@@ -123,10 +123,11 @@ class OperationFeature(Stateless):
         start = time.monotonic()
         try:
             starcell = engine.load()
+            links = {role.name: self.linked_by(obj, role) for role in self.roles}
             with tempfile.TemporaryDirectory(prefix="starcell-") as folder:
-                given = self._gather(obj, folder)
-                work, asked = self._work(obj, starcell, given)
-                result, findings = runner.run(work, obj.Label)
+                self._keep_frames(obj)
+                work, asked = self.prepare(obj, starcell, links, self.chosen(obj), folder)
+                result, findings = runner.run(lambda progress: work(progress, examines=True), obj.Label)
             mesh = mesh_transfer.to_mesh(result.vertices, result.triangles)
         except Exception as problem:
             raise RuntimeError("{}: {}".format(obj.Label, problem)) from None
@@ -135,42 +136,54 @@ class OperationFeature(Stateless):
         report.publish(obj, result, asked, self.linked(obj), time.monotonic() - start)
         self.published(obj, result, findings)
 
-    def _gather(self, obj, folder):
-        """{role: Operand or list of Operands}, and the links to the containers whose placement matters."""
+    def chosen(self, obj):
+        """{property: plain value} of all that the user chooses beside the links."""
+        names = [parameter.name for parameter in self.parameters] + ["Error", "Contact"]
+        return {name: _plain(getattr(obj, name)) for name in names}
+
+    def prepare(self, obj, starcell, links, chosen, folder):
+        """(work, error): the call for a worker, free of FreeCAD, and the error asked for. Shapes are written to `folder`.
+
+        links: {role: objects}; chosen: as chosen() returns. work(progress, coarser=1, examines=False, **options) returns the result at
+        `coarser` times the error, or (result, findings) if it examines.
+        """
+        given = self._gather(obj, links, chosen, folder)
+        error = chosen["Error"] or self._automatic_error(obj, given, chosen)
+        options = {"threads": settings.threads()}
+        if chosen["Contact"]:
+            options["contact"] = chosen["Contact"]
+
+        reading = translate("StarCell", "reading the operands")
+
+        def work(progress, coarser=1, examines=False, **more):
+            progress(0.0, reading)
+            solids = _over(given, lambda operand: operand.solid(starcell, TESSELLATION_SHARE * coarser * error))
+            everything = dict(options, error=coarser * error, progress=progress, **more)
+            result = self.compute(starcell, solids, chosen, everything)
+            return (result, self.examine(starcell, solids, chosen, result, everything)) if examines else result
+
+        return work, error
+
+    def _gather(self, obj, links, chosen, folder):
+        """{role: Operand or list of Operands}."""
         given = {}
         for role in self.roles:
-            objects = self.linked_by(obj, role)
+            objects = links[role.name]
             if len(objects) < role.least:
                 raise operands.OperandError(translate("StarCell", "{} needs at least {} object(s), and has {}.").format(
                     role.name, role.least, len(objects)))
-            gathered = [self.gather(each, obj, folder) for each in objects]
+            gathered = [self.gather(each, obj, chosen, folder) for each in objects]
             given[role.name] = gathered if role.many else gathered[0]
+        return given
+
+    def _keep_frames(self, obj):
+        """Links to the containers whose placement matters, so that moving one recomputes the object."""
         own = operands.containers(obj)
         frames = {around.Name: around for each in self.linked(obj) for around in operands.containers(each) if around not in own}
         if sorted(frames) != sorted(each.Name for each in obj.Frames):
             obj.Frames = list(frames.values())
-        return given
 
-    def _work(self, obj, starcell, given):
-        """The call for the worker, free of FreeCAD, and the error asked for."""
-        error = obj.Error.Value or self._automatic_error(obj, given)
-        values = {parameter.name: _plain(getattr(obj, parameter.name)) for parameter in self.parameters}
-        options = {"error": error, "threads": settings.threads()}
-        if obj.Contact.Value:
-            options["contact"] = obj.Contact.Value
-
-        reading = translate("StarCell", "reading the operands")
-
-        def work(progress):
-            progress(0.0, reading)
-            solids = _over(given, lambda operand: operand.solid(starcell, TESSELLATION_SHARE * error))
-            with_progress = dict(options, progress=progress)
-            result = self.compute(starcell, solids, values, with_progress)
-            return result, self.examine(starcell, solids, values, result, with_progress)
-
-        return work, error
-
-    def _automatic_error(self, obj, given):
+    def _automatic_error(self, obj, given, chosen):
         if obj.ErrorDivisor < 1:
             raise ValueError(translate("StarCell", "ErrorDivisor must be at least 1, and is {}.").format(obj.ErrorDivisor))
         box = self.reach(_over(given, lambda operand: operand.box))

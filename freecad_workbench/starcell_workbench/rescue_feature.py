@@ -31,7 +31,7 @@ class Rescue(OperationFeature):
             if name not in obj.PropertiesList:
                 obj.addProperty("App::Property" + type_, name, "OpenCASCADE", help_, READ_ONLY | OUTPUT)
 
-    def gather(self, each, obj, folder):
+    def gather(self, each, obj, chosen, folder):
         return history.read(each, obj, folder)
 
     def compute(self, starcell, solids, values, options):

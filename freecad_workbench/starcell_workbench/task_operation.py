@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from . import lengths, report, resources
 from .commands import selected
+from .panel_estimate import PanelEstimate
 from .operation_feature import recompute
 from .translation import translate
 
@@ -33,6 +34,7 @@ class OperationTask:
         self.fields = {"Error": self.form.error, "Contact": self.form.contact}
         self.fields.update((parameter.name, self._add_parameter(parameter)) for parameter in self.feature.parameters)
         self.read_object()
+        self.estimate = PanelEstimate(self)
         obj.Document.openTransaction(translate("StarCell", "Edit {}").format(obj.Label))
 
     # What FreeCAD calls.
@@ -48,6 +50,7 @@ class OperationTask:
         return self._leave()
 
     def _leave(self):
+        self.estimate.stop()
         self.obj.Document.abortTransaction()
         FreeCADGui.getDocument(self.obj.Document.Name).resetEdit()
         FreeCADGui.Control.closeDialog()
@@ -58,6 +61,7 @@ class OperationTask:
     def apply(self):
         """Writes the panel to the object and recomputes. Whether that went well."""
         document = self.obj.Document
+        self.estimate.stop()  # the run wants the machine for itself
         try:
             self.write_object()
         except ValueError as problem:
@@ -78,13 +82,20 @@ class OperationTask:
             field.setText(_shown(getattr(self.obj, name)))
         self.show_result()
 
-    def write_object(self):
-        values = {name: self._names(name) if isinstance(getattr(self.obj, name), list) else self._length(name) for name in self.fields}
+    def values(self):
+        """{property: value} as the fields say. Raises ValueError."""
+        return {name: self._names(name) if isinstance(getattr(self.obj, name), list) else self._length(name) for name in self.fields}
+
+    def links(self):
+        """{role: objects} as the list says."""
         rest = [self.obj.Document.getObject(row.data(QtCore.Qt.UserRole)) for row in self._rows()]
+        return {role.name: rest if role.many else [rest.pop(0)] if rest else [] for role in self.feature.roles}
+
+    def write_object(self):
+        values, links = self.values(), self.links()
         for role in self.feature.roles:
-            value = rest if role.many else rest.pop(0) if rest else None
-            if self.feature.linked_by(self.obj, role) != (value if role.many else [value]):
-                setattr(self.obj, role.name, value)
+            if self.feature.linked_by(self.obj, role) != links[role.name]:
+                setattr(self.obj, role.name, links[role.name] if role.many else next(iter(links[role.name]), None))
         for name, value in values.items():
             now = getattr(self.obj, name)
             if (now if isinstance(now, list) else now.Value) != value:

@@ -57,6 +57,31 @@ class TaskPanel(window.WindowTest):
         self.assertFalse(self.is_open())
         self.assertEqual((cut.Error.Value, cut.Triangles), (0.02, fine))
 
+    def test_an_estimate_follows_what_is_typed(self):
+        obj = scw.make_offset(self.plate, 1, error="2 mm")
+        form = self.open(obj)
+        seen = self.wait_for_estimate(form)
+        self.assertIn("triangles", seen)
+        form.error.setText("20 um")
+        window.pump(0.1)
+        self.assertEqual(form.estimate.text(), "")
+        finer = self.wait_for_estimate(form)
+        self.assertIn("20.00 µm" if "µm" in finer else "0.02", finer)
+        self.assertNotEqual(finer, seen)
+        window.shot("estimate", self.doc)
+        form.error.setText("much")
+        window.pump(1.0)
+        self.assertEqual(form.estimate.text(), "")
+        window.click_panel(CANCEL)
+        self.assertEqual(obj.Error.Value, 2)
+
+    def wait_for_estimate(self, form):
+        for _ in range(150):
+            window.pump(0.1)
+            if form.estimate.text() and "…" not in form.estimate.text():
+                return form.estimate.text()
+        return ""
+
     def test_what_is_no_length_is_refused(self):
         cut = scw.make_cut(self.plate, self.bore, error="0.5 mm")
         form = self.open(cut)
