@@ -1,8 +1,8 @@
 """What a run will cost: trials at coarser errors, in the background, and what they say of the error asked for.
 
-Seconds and triangles grow like a power of 1 / error, between none (flat solids) and a little more than the first (a cell to the
-area that the error bends over). The last two trials that ended give the power. A guess, no promise: walls near a critical width cost
-more at any error than trials show.
+Seconds and triangles grow like a power of 1 / error: none for flat solids, 1/2 for rounded edges, 1 for what bends both ways. What
+the last two trials that ended say is averaged with the 1/2, as coarse meshes jump about; over parts from the tests that came within a
+factor of three. A guess, no promise: walls near a critical width cost more at any error than trials show.
 """
 import math
 import tempfile
@@ -16,8 +16,8 @@ from .translation import translate
 COARSER = (32, 16, 8, 4)   # errors of the trials, as multiples of the one asked for
 TRIAL_SECONDS = 2.5        # no trial may take longer
 ENOUGH_SECONDS = 0.6       # after one that took this, none that is finer
-LARGEST_POWER = 1.2
-USUAL_POWER = 0.7          # when there is one trial alone
+LARGEST_POWER = 0.7
+USUAL_POWER = 0.5
 
 
 @dataclass
@@ -56,7 +56,7 @@ def _power(trials, measure):
         return USUAL_POWER
     before, last = trials[-2:]
     power = math.log(measure(last) / measure(before)) / math.log(before.coarser / last.coarser)
-    return min(max(power, 0.0), LARGEST_POWER)
+    return min(0.5 * (power + USUAL_POWER), LARGEST_POWER) if power > 0 else 0.0
 
 
 def _rounded(value):

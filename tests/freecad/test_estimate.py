@@ -10,10 +10,10 @@ from starcell_workbench.estimate import Trial, extrapolate
 
 
 class Arithmetic(DocumentTest):
-    def test_a_power_law_is_continued(self):
-        guess = extrapolate([Trial(16, 0.25, 100), Trial(8, 0.5, 200)], 0.1)
-        self.assertAlmostEqual(guess.seconds, 4)
-        self.assertAlmostEqual(guess.triangles, 1600)
+    def test_a_square_root_is_continued(self):
+        guess = extrapolate([Trial(64, 0.25, 100), Trial(16, 0.5, 200)], 0.1)
+        self.assertAlmostEqual(guess.seconds, 2)
+        self.assertAlmostEqual(guess.triangles, 800)
 
     def test_what_stays_as_it_is_stays(self):
         guess = extrapolate([Trial(16, 0.1, 12), Trial(8, 0.1, 12)], 0.1)
@@ -22,7 +22,7 @@ class Arithmetic(DocumentTest):
 
     def test_a_jump_is_not_continued(self):
         guess = extrapolate([Trial(16, 0.001, 10), Trial(8, 1, 10000)], 0.1)
-        self.assertLess(guess.seconds, 8 ** 1.3)
+        self.assertLess(guess.seconds, 8 ** 0.75)
 
     def test_without_a_trial_there_is_a_least_time(self):
         self.assertIn("more than 10 s", extrapolate([], 0.1).in_words())
