@@ -26,6 +26,7 @@ constexpr std::size_t most_work = 2000;
 constexpr int most_exact_attempts = 5;
 constexpr int most_float_attempts = 3;
 constexpr std::size_t few_places = 300;
+constexpr std::size_t triangles_to_a_place = 100;
 constexpr std::ptrdiff_t few_planes = 64;
 constexpr std::size_t least_leaves = 12;
 // How often operands are moved when cells stay open. More open cells than this are no contact at a few places.
@@ -170,7 +171,7 @@ class Evaluation {
       const std::vector<Vec3> shifts = shifts_off_grazes(table_at({}), best.grazes, 0.25 * tolerances_.contact);
       if (farthest(shifts) > 0) try_instead(best_run(shifts, Engine::Effort::usual), shifts);
     }
-    if (polish.meet_as_floats.size() > few_places) return;
+    if (polish.meet_as_floats.size() > std::max(few_places, best.run.mesh.triangles.size() / triangles_to_a_place)) return;
     for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty(); ++attempt)
       try_instead(engine_.run(table_at(best.shifts), farthest(best.shifts), most_attempts + attempt), best.shifts);
   }
