@@ -35,7 +35,7 @@ void sample(Vec3 a, Vec3 b, Vec3 c, double spacing, Visit visit) {
     std::swap(a, b), std::swap(b, c);   // (a, b, c) becomes (b, c, a)
   }
   const double base = (b - a).norm(), height = (b - a).cross(c - a).norm() / base;
-  const auto parts = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / spacing))); };
+  const auto parts = [&](double length) { return static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0, most_samples)); };
   const int rows = parts(height);
   for (int row = 0; row < rows; ++row) {
     // Half way up a strip, a third up the tip: no sample is on an edge.
