@@ -26,10 +26,10 @@ class OperationTask:
         self.form.apply.clicked.connect(self.apply)
         self.form.showThinPlaces.toggled.connect(self.show_thin_places)
         # A dragged row is in place only after the drop.
-        settle = QtCore.QTimer(self.form, singleShot=True, interval=0)
-        settle.timeout.connect(self.show_roles)
+        self.settle = QtCore.QTimer(self.form, singleShot=True, interval=0)
+        self.settle.timeout.connect(self.show_roles)
         for changed in (self.form.operands.model().rowsInserted, self.form.operands.model().rowsRemoved, self.form.operands.model().rowsMoved):
-            changed.connect(lambda *_: settle.start())
+            changed.connect(lambda *_: self.settle.start())
         self.form.operands.itemSelectionChanged.connect(self.select_in_view)
         self.fields = {"Error": self.form.error, "Contact": self.form.contact}
         self.fields.update((parameter.name, self._add_parameter(parameter)) for parameter in self.feature.parameters)
@@ -51,6 +51,7 @@ class OperationTask:
 
     def _leave(self):
         self.estimate.stop()
+        self.settle.stop()
         self.obj.Document.abortTransaction()
         FreeCADGui.getDocument(self.obj.Document.Name).resetEdit()
         FreeCADGui.Control.closeDialog()

@@ -11,6 +11,7 @@ from . import lengths
 from .translation import QT_TRANSLATE_NOOP, translate
 
 MOST_SPOKES = 2000  # kept for the highlight
+MESH_SHARE = 0.05   # of the thickness looked for: what is curved need not be meshed finer
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 
 PROPERTIES = (
@@ -39,7 +40,7 @@ def examine(starcell, solid, reach, result, error, progress, counts_parts):
     """How `solid` fares when its surface moves by `reach` (mm; above 0 outward), and `result` is what becomes of it."""
     findings = WallFindings(2 * abs(reach), reach > 0)
     try:
-        thin = starcell.thin_places(solid, findings.thickness, gaps=findings.gaps, error=error, progress=progress)
+        thin = starcell.thin_places(solid, findings.thickness, gaps=findings.gaps, error=max(error, MESH_SHARE * findings.thickness), progress=progress)
         findings.boxes, findings.thicknesses, findings.spokes, findings.spacing = thin.boxes, thin.thicknesses, thin.spokes, thin.spacing
         if counts_parts:
             larger, smaller = (result.as_solid(), thin.solid) if findings.gaps else (thin.solid, result.as_solid())
