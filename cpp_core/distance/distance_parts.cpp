@@ -2,9 +2,9 @@
 #include "distance/distance_surface.h"
 
 #include <map>
-#include <numeric>
 
 #include "distance/distance_terms.h"
+#include "solids/disjoint_sets.h"
 #include "solids/quadric_surface.h"
 
 namespace starcell {
@@ -36,19 +36,14 @@ SmoothSurfacePtr DistanceSurface::on_one(const Local& feature) const {
 
 // Faces that share a vertex.
 std::vector<std::vector<std::uint32_t>> DistanceSurface::sheets() const {
-  std::vector<std::size_t> root(faces_.size());
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  std::map<std::uint32_t, std::size_t> first;   // per vertex
-  for (std::size_t i = 0; i < faces_.size(); ++i)
-    for (const std::uint32_t v : features_->solid()->triangles()[faces_[i]]) root[find(i)] = find(first.emplace(v, i).first->second);
+  DisjointSets sets(faces_.size());
+  std::map<std::uint32_t, std::uint32_t> first;   // per vertex
+  for (std::uint32_t i = 0; i < faces_.size(); ++i)
+    for (const std::uint32_t v : features_->solid()->triangles()[faces_[i]]) sets.join(i, first.emplace(v, i).first->second);
   std::vector<std::vector<std::uint32_t>> sheets;
-  std::map<std::size_t, std::size_t> number;
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    const auto [at, fresh] = number.emplace(find(i), sheets.size());
+  std::map<std::uint32_t, std::size_t> number;
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+    const auto [at, fresh] = number.emplace(sets.root(i), sheets.size());
     if (fresh) sheets.emplace_back();
     sheets[at->second].push_back(faces_[i]);
   }

@@ -34,6 +34,7 @@ PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progres
   provenance.name = name;
   provenance.deflection = bound + few.bound;
   provenance.unresolved = std::move(mesh.certificate.unresolved);
+  provenance.contacts = std::move(mesh.certificate.contacts);   // how far it was moved off them is counted in its bound
   return Polyhedron::trusted(std::move(few.vertices), std::move(few.triangles), std::move(provenance));
 }
 
@@ -130,13 +131,7 @@ Prepared twice(const Expression& solid, double first, const Options& options) {
   const Offsetting offsetting(error, options);
   Result mesh = evaluate(one.expression, one.options);
   if (mesh.triangles.empty()) return {one.expression, with_error(options, error)};   // it is gone, and stays so
-  std::vector<Box3> contacts = mesh.certificate.contacts;
-  auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress);
-  if (!contacts.empty()) {   // how far it was moved off them is counted in its deflection
-    Provenance provenance = middle->provenance();
-    provenance.contacts = std::move(contacts);
-    middle = Polyhedron::trusted(middle->vertices(), middle->triangles(), std::move(provenance));
-  }
+  const auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress);
   return {offsetting.of(Expression(middle), -first), with_error(options, error)};
 }
 
