@@ -62,7 +62,7 @@ class PieceMaker {
                !sheet_folds(mesh_.vertices, mesh_.triangles.data() + first, mesh_.triangles.size() - first, settings_.floats);
       }
     }
-    const Fan fan = make_fan(restriction_.table(), box_, sheet, loop, mesh_.vertices, settings_.margin, settings_.pull);
+    const Fan fan = make_fan(restriction_.table(), box_, sheet, loop, mesh_.vertices, settings_.error, settings_.margin, settings_.pull);
     bound = std::max(bound, fan.bound);
     emit(loop, fan);
     return fan.bound <= settings_.error;

@@ -6,16 +6,20 @@
 
 #include <Eigen/Dense>
 
+#include "contouring/loop_distance.h"
 #include "numerics/linear_program.h"
 
 namespace starcell {
 namespace {
 
+// Of a cell's size: crossings that were moved no more than this are known again.
+constexpr double same_place = 1e-3;
+
 class FanMaker {
  public:
   FanMaker(const FacetTable& table, const Box3& cell, const Sheet& sheet, const DrawnLoop& loop,
-           const std::vector<Vec3>& vertices, double margin, double pull)
-      : table_(table), cell_(cell), sheet_(sheet), loop_(loop), vertices_(vertices), margin_(margin), pull_(pull) {
+           const std::vector<Vec3>& vertices, double error, double margin, double pull)
+      : table_(table), cell_(cell), sheet_(sheet), loop_(loop), vertices_(vertices), error_(error), margin_(margin), pull_(pull) {
     centroid_ = Vec3::Zero();
     for (const std::uint32_t v : loop.vertices) centroid_ += vertices[v];
     centroid_ /= static_cast<double>(loop.vertices.size());
@@ -102,7 +106,7 @@ class FanMaker {
       flat.direction = turn * s.normal;
       flat.low = turn * s.offset - apart;
       flat.high = turn * s.offset + apart;
-      const Fan fan = FanMaker(table_, cell_, flat, loop_, vertices_, margin_, pull_).slab();
+      const Fan fan = FanMaker(table_, cell_, flat, loop_, vertices_, error_, margin_, pull_).slab();
       if (fan.bound < cell_.diagonal().norm()) return fan;
     }
     return anything();
@@ -127,6 +131,11 @@ class FanMaker {
   Fan graph() const {
     std::vector<Vec3> points;
     for (const std::uint32_t v : loop_.vertices) points.push_back(vertices_[v]);
+    // The cone over a loop that runs near the accepted one is as near to the cone over that.
+    if (!sheet_.polygon.empty() && faces_direction(sheet_.apex)) {
+      const double bound = sheet_.near + loop_distance(sheet_.polygon, points, same_place * cell_.sizes().x());
+      if (bound <= error_) return with_apex(sheet_.apex, bound);
+    }
     const GraphFan best = graph_fan(cell_, sheet_, points, loop_.sways, loop_.gap, margin_);
     return with_apex(best.apex, best.bound);
   }
@@ -244,15 +253,15 @@ class FanMaker {
   const Sheet& sheet_;
   const DrawnLoop& loop_;
   const std::vector<Vec3>& vertices_;
-  const double margin_, pull_;
+  const double error_, margin_, pull_;
   Vec3 centroid_;
 };
 
 }  // namespace
 
 Fan make_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const DrawnLoop& loop,
-             const std::vector<Vec3>& vertices, double margin, double pull) {
-  return FanMaker(table, cell, sheet, loop, vertices, margin, pull).make();
+             const std::vector<Vec3>& vertices, double error, double margin, double pull) {
+  return FanMaker(table, cell, sheet, loop, vertices, error, margin, pull).make();
 }
 
 }  // namespace starcell

@@ -26,8 +26,8 @@ struct Fan {
   bool on_planes = false;  ///< the triangle over a segment lies on the segment's plane
 };
 
-/// `margin`: how far inside the cell the apex must stay; `pull`: how far a contact's apex is moved off it.
+/// `error`: a bound within it will do; `margin`: how far inside the cell the apex must stay; `pull`: how far a contact's apex is moved off it.
 Fan make_fan(const FacetTable& table, const Box3& cell, const Sheet& sheet, const DrawnLoop& loop,
-             const std::vector<Vec3>& vertices, double margin, double pull);
+             const std::vector<Vec3>& vertices, double error, double margin, double pull);
 
 }  // namespace starcell

@@ -11,15 +11,23 @@ using namespace distance;
 
 // By regions of the triangle's plane (Ericson 2005, 5.1.5), then enclosed whatever rounding did to it: no point of the triangle is
 // nearer than min over its corners of g . (x - corner), for any unit vector g.
-DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x, double* lows) const {
+DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x, double beyond, double* lows) const {
   const MeshFeatures& f = *features_;
   Foot best;
   double nearest = infinity;
   best.low = infinity;
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
+  const double loss = rounding_at(x);
+  // The one in front first, in its place the first.
+  for (std::size_t step = 0; step < faces_.size(); ++step) {
+    const std::size_t i = step == 0 ? front_ : step == front_ ? 0 : step;
     const std::uint32_t face = faces_[i];
     const MeshFeatures::Face& shape = f.faces[face];
-    const Vec3 &a = f.corner(face, 0), &b = f.corner(face, 1), &c = f.corner(face, 2);
+    const double within = nearest + beyond + shape.radius + 4 * loss;
+    if ((x - shape.middle).squaredNorm() > within * within) {
+      if (lows) lows[i] = infinity;
+      continue;
+    }
+    const auto& [a, b, c] = shape.corners;
     const std::array<Vec3, 3> from{x - a, x - b, x - c};
     std::array<double, 3> along, inward;
     for (std::size_t k = 0; k < 3; ++k) along[k] = from[k].dot(shape.along[k]), inward[k] = from[k].dot(shape.inward[k]);
@@ -33,7 +41,7 @@ DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x, double* lows) cons
         if (inward[static_cast<std::size_t>(k)] > 0) continue;
         const auto e = static_cast<std::size_t>(k);
         const double t = std::clamp(along[e], 0.0, shape.length[e]);
-        const Vec3 p = f.corner(face, k) + t * shape.along[e];
+        const Vec3 p = shape.corners[e] + t * shape.along[e];
         const double square = (x - p).squaredNorm();
         if (square >= least) continue;
         least = square;
@@ -48,7 +56,6 @@ DistanceSurface::Foot DistanceSurface::foot_at(const Vec3& x, double* lows) cons
     best.low = std::min(best.low, low);
     if (d < nearest) nearest = d, best.place = place, best.face = face, best.bit = bit;
   }
-  const double loss = rounding_at(x);
   best.low = std::max(0.0, best.low - loss);
   best.high = nearest + loss;
   return best;
@@ -78,10 +85,11 @@ std::uint8_t DistanceSurface::mask(std::uint32_t face, const Vec3& center, const
   const MeshFeatures::Face& shape = f.faces[face];
   std::array<double, 3> first, last, low, high;   // along and inward of edge k, at the least and at the most
   double far = 0;
-  for (int k = 0; k < 3; ++k) far = std::max(far, (center - f.corner(face, k)).norm());
+  for (const Vec3& corner : shape.corners) far = std::max(far, (center - corner).squaredNorm());
+  far = std::sqrt(far);
   const double loss = rounding_at(center) + (shape.loss + 16 * ulp) * (far + reach.norm());
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 from = center - f.corner(face, static_cast<int>(k));
+    const Vec3 from = center - shape.corners[k];
     const double along = from.dot(shape.along[k]), inward = from.dot(shape.inward[k]);
     const double a = spread(shape.along[k], reach) + loss, b = spread(shape.inward[k], reach) + loss;
     first[k] = along - a, last[k] = along + a, low[k] = inward - b, high[k] = inward + b;
@@ -118,34 +126,48 @@ DistanceSurface::Sight DistanceSurface::look(const Vec3& center, const Vec3& rea
   thread_local std::vector<double> all_lows;
   thread_local std::vector<std::uint8_t> all_masks;
   all_lows.resize(faces_.size());
-  all_masks.assign(faces_.size(), 0);
+  all_masks.assign(faces_.size(), known_mask);
   double* const lows = all_lows.data();
   std::uint8_t* const masks = all_masks.data();
   Sight sight;
-  sight.foot = foot_at(center, lows);
+  const double radius = reach.norm() * (1 + 4 * ulp), loss = 4 * rounding_at(center);
+  sight.foot = foot_at(center, 2 * radius + 2 * loss, lows);
   sight.side = side_at(center, sight.foot);
-  const double radius = reach.norm() * (1 + 4 * ulp);
   sight.least = std::max(0.0, -(radius - sight.foot.low));
-  const double d = sight.foot.high, loss = 4 * rounding_at(center);
   for (std::size_t i = 0; i < faces_.size(); ++i)
-    if (lows[i] <= d + 2 * radius + loss) masks[i] = mask(faces_[i], center, reach);
+    if (lows[i] <= sight.foot.high + 2 * radius + loss) masks[i] = 0;
+  for (const Local& feature : local_) sight.seen.push_back(&feature);
+  keep_in_sight(sight, center, reach, masks);
+  return sight;
+}
+
+// Of those in sight from a box, what is in sight from its centre.
+DistanceSurface::Sight DistanceSurface::look_closer(const Sight& sight, const Vec3& center) const {
+  thread_local std::vector<std::uint8_t> masks;
+  masks.assign(faces_.size(), 0);
+  Sight closer = sight;
+  closer.least = sight.foot.low;
+  keep_in_sight(closer, center, Vec3::Zero(), masks.data());
+  return closer;
+}
+
+void DistanceSurface::keep_in_sight(Sight& sight, const Vec3& center, const Vec3& reach, std::uint8_t* masks) const {
+  const double radius = reach.norm() * (1 + 4 * ulp), loss = 4 * rounding_at(center), d = sight.foot.high;
   const Vec3 to_foot = d > 0 ? Vec3((center - sight.foot.place) / (center - sight.foot.place).norm()) : Vec3::Zero();
   const double curve = d > radius ? radius * radius / (2 * (sight.foot.low - radius)) : infinity;
-  for (const Local& feature : local_) {
-    bool possible = true;
+  const auto can_be_nearest = [&](const Local& feature) {
     for (const auto& [face, bit] : feature.bits) {
-      possible = masks[face] >> bit & 1;
-      if (!possible) break;
+      if (!(masks[face] & known_mask)) masks[face] = known_mask | mask(faces_[face], center, reach);
+      if (!(masks[face] >> bit & 1)) return false;
     }
-    if (!possible) continue;
     const Vec3 g = away(feature, center);
     const double far = g.norm();
     const double slack = feature.kind == Kind::face ? features_->faces[feature.id].loss * (far + radius + d) * 4 : 0;
-    if (far - d > 2 * radius + loss + slack) continue;
-    if (curve >= 0 && far > 0 && far - d > spread(g / far - to_foot, reach) * (1 + 1e-9) + curve + loss + slack) continue;
-    sight.seen.push_back(&feature);
-  }
-  return sight;
+    if (far - d > 2 * radius + loss + slack) return false;
+    return !(curve >= 0 && far > 0 && far - d > spread(g / far - to_foot, reach) * (1 + 1e-9) + curve + loss + slack);
+  };
+  sight.seen.erase(std::remove_if(sight.seen.begin(), sight.seen.end(), [&](const Local* feature) { return !can_be_nearest(*feature); }),
+                   sight.seen.end());
 }
 
 }  // namespace starcell

@@ -98,7 +98,7 @@ Expansion DistanceSurface::expand(const Vec3& center, const Vec3& reach) const {
     e.gradient = e.slope;
     return e;
   }
-  const Sight here = look(center, Vec3::Zero());
+  const Sight here = look_closer(sight, center);
   bool any = false;
   for (const Local* feature : here.seen) {
     const Interval3 n = this->normals(*feature, here, center, Vec3::Zero());
@@ -167,6 +167,7 @@ SmoothSurfacePtr DistanceSurface::restricted(const Box3& box) const {
   if (side_ == 0 && best.low > radius) result->side_ = side_at(center, best);
   if (sheet_ && far > 0) result->towards_ = to_best.dot(features_->faces[best.face].normal) < 0 ? -1 : 1;
   result->crowded_ = box_.isEmpty() ? false : static_cast<double>(result->faces_.size()) > helps * static_cast<double>(faces_.size());
+  result->front_ = static_cast<std::size_t>(std::lower_bound(result->faces_.begin(), result->faces_.end(), best.face) - result->faces_.begin());
   result->find_local();
   return result;
 }

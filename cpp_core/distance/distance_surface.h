@@ -60,11 +60,14 @@ class DistanceSurface final : public SmoothSurface {
 
   DistanceSurface(const DistanceSurface& whole, std::vector<std::uint32_t> faces, const Box3& box);
   void find_local();
-  /// `lows`, if given: per face, what its distance is at least, to rounding.
-  Foot foot_at(const Vec3& x, double* lows = nullptr) const;
+  /// `lows`, if given: per face, what its distance is at least, to rounding; infinite if it is farther than the nearest by `beyond`.
+  Foot foot_at(const Vec3& x, double beyond = 0, double* lows = nullptr) const;
   int side_at(const Vec3& x, const Foot& foot) const;
   std::uint8_t mask(std::uint32_t face, const Vec3& center, const Vec3& reach) const;
   Sight look(const Vec3& center, const Vec3& reach) const;
+  Sight look_closer(const Sight& sight, const Vec3& center) const;
+  /// Those of the features that can be nearest to something in the box. `masks`: per face, filled where `known_mask` is not set.
+  void keep_in_sight(Sight& sight, const Vec3& center, const Vec3& reach, std::uint8_t* masks) const;
   Vec3 away(const Local& feature, const Vec3& x) const;
   Interval3 normals(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const;
   SlopeCap cap(const Local& feature, const Sight& sight, const Vec3& center, const Vec3& reach) const;
@@ -88,6 +91,7 @@ class DistanceSurface final : public SmoothSurface {
   bool crowded_ = false;               // a smaller box saw hardly fewer faces
   bool split_ = false;                 // a part: other faces may be nearer
   std::vector<std::uint32_t> faces_;   // ascending
+  std::size_t front_ = 0;              // of these, one that is near
   Box3 box_;
   std::vector<Local> local_;           // empty: too many
   std::optional<std::size_t> plane_;   // a part that is flat in its box

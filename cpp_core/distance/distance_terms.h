@@ -17,6 +17,9 @@ constexpr std::uint8_t face_bit = 0;
 inline std::uint8_t edge_bit(int k) { return static_cast<std::uint8_t>(1 + k); }
 inline std::uint8_t corner_bit(int k) { return static_cast<std::uint8_t>(4 + k); }
 
+// Set in a mask that has been computed.
+constexpr std::uint8_t known_mask = 0x80;
+
 inline double spread(const Vec3& u, const Vec3& reach) { return u.cwiseAbs().dot(reach); }
 
 inline Interval hull(const Interval& a, const Interval& b) { return {std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())}; }

@@ -29,6 +29,10 @@ void MeshFeatures::make_faces() {
   faces.resize(solid_->triangles().size());
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     Face& face = faces[f];
+    for (std::size_t k = 0; k < 3; ++k) face.corners[k] = solid_->vertices()[solid_->triangles()[f][k]];
+    face.middle = (face.corners[0] + face.corners[1] + face.corners[2]) / 3;
+    face.radius = 0;
+    for (const Vec3& p : face.corners) face.radius = std::max(face.radius, (p - face.middle).norm() * (1 + 8 * rounding));
     for (int k = 0; k < 3; ++k) {
       const Vec3 edge = corner(f, (k + 1) % 3) - corner(f, k);
       face.length[k] = edge.norm();

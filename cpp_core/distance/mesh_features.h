@@ -24,6 +24,9 @@ struct Cap {
 class MeshFeatures {
  public:
   struct Face {
+    std::array<Vec3, 3> corners;
+    Vec3 middle;
+    double radius;                  ///< no corner is farther from the middle
     Vec3 normal;                    ///< outward, of unit length
     double loss;                    ///< how far the true normal may be from it
     std::array<Vec3, 3> along;      ///< unit vectors from corner k to the next
@@ -48,7 +51,7 @@ class MeshFeatures {
 
   const PolyhedronPtr& solid() const { return solid_; }
   std::size_t size() const { return faces.size(); }
-  const Vec3& corner(std::uint32_t face, int k) const { return solid_->vertices()[solid_->triangles()[face][static_cast<std::size_t>(k)]]; }
+  const Vec3& corner(std::uint32_t face, int k) const { return faces[face].corners[static_cast<std::size_t>(k)]; }
   /// The largest coordinate.
   double scale() const { return scale_; }
 

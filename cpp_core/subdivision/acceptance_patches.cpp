@@ -40,6 +40,8 @@ bool Acceptance::near_enough(Sheet& sheet, const Loop& loop, const Box3& box) co
   const GraphFan fan = graph_fan(box, sheet, polygon, sways, 0, margin);
   sheet.apex = fan.apex;
   sheet.low = fan.flat_bound;
+  sheet.near = fan.bound;
+  sheet.polygon = std::move(polygon);
   return fan.bound <= fan_share * settings_.error;
 }
 

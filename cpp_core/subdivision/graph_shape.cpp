@@ -12,12 +12,12 @@ namespace starcell {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Slopes are looked at in parts where they vary much: of a segment beside which E's loop runs, of a piece (halved this often).
+// In how many parts a segment beside which E's loop runs is looked at; how often a piece is halved.
 constexpr int pieces = 4;
-constexpr int most_parts = 2;
+constexpr int most_halvings = 2;
 constexpr double much_better = 0.7;
 // Of the room: what deviates no more than this is not looked at more closely.
-constexpr double good_share = 0.25;
+constexpr double good_share = 0.5;
 
 Box3 inflated(const Box3& box, const Vec3& by) { return {box.min() - by, box.max() + by}; }
 
@@ -52,9 +52,11 @@ struct Piece {
 
 class Graph {
  public:
-  Graph(const std::vector<const Surface*>& surfaces, const std::vector<int>& senses, std::uint64_t value, const Vec3& u, double room)
-      : n_(surfaces.size()), senses_(senses), value_(value), u_(u), room_(room), good_(good_share * room) {
+  Graph(const std::vector<const Surface*>& surfaces, const std::vector<int>& senses, std::uint64_t value, const Vec3& u, double room, const Box3& around)
+      : n_(surfaces.size()), senses_(senses), value_(value), u_(u), room_(room), good_(good_share * room),
+        rounded_(1e-15 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff())), around_(around) {
     std::copy(surfaces.begin(), surfaces.end(), surfaces_.begin());
+    least_ = least_slopes(inflated(around, room * u.cwiseAbs()));
   }
 
   using Heights = PerSurface<Interval>;
@@ -70,9 +72,57 @@ class Graph {
   // What is no more than this need not be known better.
   double good() const { return good_; }
 
-  // The deviation of a piece with these heights at its corners; infinite beyond the room. Slopes are those that the lift sweeps:
-  // the less it is lifted, the less they vary.
-  double deviation(const std::array<const Heights*, 3>& heights, const Piece& piece) const {
+  // The deviation of a piece with these heights at its corners; infinite beyond the room. If nothing is known of it as a whole, its
+  // halves or quarters are looked at: they have corners of their own, and F bends less over them.
+  double deviation(const std::array<const Heights*, 3>& heights, const Piece& piece, int depth = 0) const {
+    const double whole = deviation_at_once(heights, piece);
+    if (std::isfinite(whole) || depth >= most_halvings) return whole;
+    const auto& [p, q, r] = piece.corners;
+    const Vec3 pq = 0.5 * (p + q);
+    const Heights at_pq = this->heights(pq);
+    if (piece.size == 2) {
+      const double first = deviation({heights[0], &at_pq, &at_pq}, {p, pq}, depth + 1);
+      return rounded_ + (std::isinf(first) ? first : std::max(first, deviation({&at_pq, heights[1], heights[1]}, {pq, q}, depth + 1)));
+    }
+    const Vec3 qr = 0.5 * (q + r), rp = 0.5 * (r + p);
+    const Heights at_qr = this->heights(qr), at_rp = this->heights(rp);
+    double worst = deviation({&at_pq, &at_qr, &at_rp}, {pq, qr, rp}, depth + 1);
+    if (std::isfinite(worst)) worst = std::max(worst, deviation({heights[0], &at_pq, &at_rp}, {p, pq, rp}, depth + 1));
+    if (std::isfinite(worst)) worst = std::max(worst, deviation({heights[1], &at_qr, &at_pq}, {q, qr, pq}, depth + 1));
+    if (std::isfinite(worst)) worst = std::max(worst, deviation({heights[2], &at_rp, &at_qr}, {r, rp, qr}, depth + 1));
+    return rounded_ + worst;
+  }
+
+  // How far E's points may be that lie over the gap between a segment and E's loop beside it. Along the way between the two the
+  // height differs from the segment's by `apart` where it starts, over the segment, and by the sway's own height where it ends,
+  // on the loop; in between by as much as E is steep, which is `steepest` within the room of the whole fan.
+  double beside(const Vec3& p, const Vec3& q, double apart, const Sway& sway, double gap, double steepest) const {
+    const bool any = sway.along.isZero(0.0);
+    const double aside = gap + sway.by * (any ? 1.0 : sway.along.cross(u_).norm() + 1e-12);
+    const double at_end = gap + sway.by * (any ? 1.0 : std::abs(sway.along.dot(u_)) + 1e-12);
+    const double most = std::max({apart, at_end, 0.5 * (apart + at_end + steepest * aside)});
+    const double whole = std::hypot(most, aside);
+    return whole <= room_ ? whole : beside(p, q, apart, at_end, aside, pieces);
+  }
+
+  double steepness(const Box3& box) const {
+    const Rounding rounding;
+    double steepest = 0;
+    for (std::size_t k = 0; k < n_; ++k) {
+      const Expansion e = over(*surfaces_[k], box);
+      const Interval3 normal = sense(k) * e.slope;
+      const Interval along = e.along(senses_[k] * u_);
+      if (certain_sign(along) <= 0) return infinity;
+      steepest = std::max(steepest, (norm(normal - along * enclose(u_)) / Interval(along.lower())).upper());
+    }
+    return steepest;
+  }
+
+ private:
+  Interval sense(std::size_t k) const { return static_cast<double>(senses_[k]); }
+
+  // Slopes are those that the lift sweeps: the less it is lifted, the less they vary.
+  double deviation_at_once(const std::array<const Heights*, 3>& heights, const Piece& piece) const {
     const Box3 box = piece.box();
     PerSurface<double> above, below;   // how far F may be from where the piece has passed it
     {
@@ -91,27 +141,15 @@ class Graph {
         below[k] = (Interval(most) - excess.lower()).upper();
       }
     }
-    for (const double share : {0.2, 0.45, 1.0}) {
-      double lift = lift_within(share * room_, piece, above, below, most_parts);
-      if (lift > std::min(share * room_, good_)) lift = lift_within(share * room_, piece, above, below, 0);
-      if (lift <= share * room_) return lift;
+    const double lift = lift_of(above, below, least_);
+    if (lift <= good_) return lift;
+    for (const double share : {0.45, 1.0}) {
+      if (share == 1.0 && box.contains(around_)) break;
+      const double closer = lift_of(above, below, least_slopes(inflated(box, share * room_ * u_.cwiseAbs())));
+      if (closer <= share * room_) return std::min(lift, closer);
     }
-    return infinity;
+    return lift <= room_ ? lift : infinity;
   }
-
-  // How far E's points may be that lie over the gap between a segment and E's loop beside it. Along the way between the two the
-  // height differs from the segment's by `apart` where it starts, over the segment, and by the sway's own height where it ends,
-  // on the loop; in between by as much as E is steep.
-  double beside(const Vec3& p, const Vec3& q, double apart, const Sway& sway, double gap) const {
-    const bool any = sway.along.isZero(0.0);
-    const double aside = gap + sway.by * (any ? 1.0 : sway.along.cross(u_).norm() + 1e-12);
-    const double at_end = gap + sway.by * (any ? 1.0 : std::abs(sway.along.dot(u_)) + 1e-12);
-    const double whole = beside(p, q, apart, at_end, aside, 1);
-    return whole <= good_ ? whole : beside(p, q, apart, at_end, aside, pieces);
-  }
-
- private:
-  Interval sense(std::size_t k) const { return static_cast<double>(senses_[k]); }
 
   double beside(const Vec3& p, const Vec3& q, double apart, double at_end, double aside, int parts) const {
     double farthest = 0;
@@ -128,19 +166,26 @@ class Graph {
     return farthest;
   }
 
-  // `depth`: how often the piece counts as halved already.
-  double lift_within(double room, const Piece& piece, const PerSurface<double>& above, const PerSurface<double>& below, int depth) const {
+  // How far a piece has to be lifted, or lowered, until E's logic says on which side it is.
+  double lift_of(const PerSurface<double>& above, const PerSurface<double>& below, const PerSurface<double>& slopes) const {
     PerSurface<double> up, down;
     {
       const Rounding rounding;
       for (std::size_t k = 0; k < n_; ++k) {
-        const Interval slope(least_slope(k, room, piece, depth));
-        if (certain_sign(slope) <= 0) return infinity;
-        up[k] = std::max(0.0, (Interval(above[k]) / slope).upper());
-        down[k] = std::max(0.0, (Interval(below[k]) / slope).upper());
+        if (!(slopes[k] > 0)) return infinity;
+        up[k] = std::max(0.0, (Interval(above[k]) / Interval(slopes[k])).upper());
+        down[k] = std::max(0.0, (Interval(below[k]) / Interval(slopes[k])).upper());
       }
     }
     return std::max(least_lift(up, true), least_lift(down, false));
+  }
+
+  PerSurface<double> least_slopes(const Box3& box) const {
+    const Box3 around = padded(box);
+    const Rounding rounding;
+    PerSurface<double> slopes{};
+    for (std::size_t k = 0; k < n_; ++k) slopes[k] = surfaces_[k]->slope_along(around.center(), 0.5 * around.sizes(), senses_[k] * u_).lower();
+    return slopes;
   }
 
   // The smallest lift at which E's logic says what is wanted, given the lifts from which each patch is certainly passed.
@@ -165,38 +210,15 @@ class Graph {
     return infinity;
   }
 
-  // Along u, where a piece is lifted to; large pieces in parts. Needs a Rounding object.
-  double least_slope(std::size_t k, double room, const Piece& piece, int depth) const {
-    const Box3 box = padded(inflated(piece.box(), room * u_.cwiseAbs()));
-    const Interval slope = surfaces_[k]->slope_along(box.center(), 0.5 * box.sizes(), senses_[k] * u_);
-    if (depth >= most_parts || slope.upper() <= 0 || slope.lower() > 0.7 * slope.upper()) return slope.lower();
-    const auto& [p, q, r] = piece.corners;
-    const Vec3 pq = 0.5 * (p + q);
-    if (piece.size == 2) return std::min(least_slope(k, room, {p, pq}, depth + 1), least_slope(k, room, {pq, q}, depth + 1));
-    const Vec3 qr = 0.5 * (q + r), rp = 0.5 * (r + p);
-    return std::min({least_slope(k, room, {p, pq, rp}, depth + 1), least_slope(k, room, {q, qr, pq}, depth + 1),
-                     least_slope(k, room, {r, rp, qr}, depth + 1), least_slope(k, room, {pq, qr, rp}, depth + 1)});
-  }
-
-  double steepness(const Box3& box) const {
-    const Rounding rounding;
-    double steepest = 0;
-    for (std::size_t k = 0; k < n_; ++k) {
-      const Expansion e = over(*surfaces_[k], box);
-      const Interval3 normal = sense(k) * e.slope;
-      const Interval along = e.along(senses_[k] * u_);
-      if (certain_sign(along) <= 0) return infinity;
-      steepest = std::max(steepest, (norm(normal - along * enclose(u_)) / Interval(along.lower())).upper());
-    }
-    return steepest;
-  }
-
   const std::size_t n_;
   PerSurface<const Surface*> surfaces_;
   const std::vector<int>& senses_;
   const std::uint64_t value_;
   const Vec3 u_;
   const double room_, good_;
+  const double rounded_;         // no middle of a piece is farther from the piece
+  const Box3 around_;            // all pieces are in it
+  PerSurface<double> least_{};   // slope wherever a piece is lifted to
 };
 
 // Do all triangles of the fan face u?
@@ -266,7 +288,7 @@ Vec3 common_place(const std::vector<const Surface*>& surfaces, const Vec3& start
 double segment_deviation(const Patches& patches, const PatchClass& c, const Vec3& u, double room, const Vec3& p, const Vec3& q) {
   std::vector<const Surface*> surfaces;
   for (const std::size_t k : c.patches) surfaces.push_back(&patches.at(k));
-  const Graph graph(surfaces, c.sense, c.value, u, room);
+  const Graph graph(surfaces, c.sense, c.value, u, room, Piece(p, q).box());
   const Graph::Heights at_p = graph.heights(p), at_q = graph.heights(q);
   return graph.deviation({&at_p, &at_q, &at_q}, {p, q});
 }
@@ -291,7 +313,7 @@ GraphFan graph_fan(const Box3& cell, const Sheet& sheet, const std::vector<Vec3>
   const Vec3& u = sheet.direction;
   std::vector<const Surface*> on;
   for (const auto& surface : sheet.graph->surfaces) on.push_back(surface.get());
-  const Graph graph(on, sheet.graph->senses, sheet.graph->value, u, sheet.high);
+  const Graph graph(on, sheet.graph->senses, sheet.graph->value, u, sheet.high, cell);
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
   std::vector<Graph::Heights> rim;
@@ -342,8 +364,9 @@ GraphFan graph_fan(const Box3& cell, const Sheet& sheet, const std::vector<Vec3>
     }
   best.flat_bound = best.bound;
   double farthest = best.bound;
+  const double steepest = std::isfinite(farthest) ? graph.steepness(inflated(cell, Vec3::Constant(sheet.high) + sheet.high * u.cwiseAbs())) : 0;
   for (std::size_t k = 0; k < loop.size() && std::isfinite(farthest); ++k)
-    if (sways[k].by + gap > 0) farthest = std::max(farthest, graph.beside(loop[k], loop[(k + 1) % loop.size()], best.bound, sways[k], gap));
+    if (sways[k].by + gap > 0) farthest = std::max(farthest, graph.beside(loop[k], loop[(k + 1) % loop.size()], best.bound, sways[k], gap, steepest));
   best.bound = farthest;
   return best;
 }

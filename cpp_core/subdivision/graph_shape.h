@@ -4,7 +4,7 @@
 // is, lifted by s along u, beyond patch k as soon as s m >= excess - least F, m the least slope along u in the room that the
 // lift sweeps: interpolation of the vertices' values exceeds F by at most `excess` (smooth_surface.h). When the patches that T is
 // beyond make the lifted T outside whatever the others say, and the lowered T inside likewise, then E lies within s of T along
-// u. Creases and corners need no special case: the patches that matter are found by E's own logic.
+// u. It holds for each part of a triangle by itself. Creases and corners need no special case: the patches that matter are found by E's own logic.
 // For two-sidedness: points of E whose shadow A's loop leaves out are met by the homotopy between E's loop and A's, both of which
 // are within the arcs' sway of each other; heights differ along it by E's steepness there. All this is about E's logic on the
 // class's surfaces, which in the cell is E and around it only E's continuation.

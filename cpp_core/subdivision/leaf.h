@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 
 #include "subdivision/cell_problem.h"
@@ -50,6 +51,8 @@ struct Sheet {
   Vec3 apex = Vec3::Zero();
   Vec3 direction = Vec3::Zero();
   double low = 0, high = 0;
+  double near = std::numeric_limits<double>::infinity();   ///< graph: E's part and the fan from `apex` over `polygon` are within this
+  std::vector<Vec3> polygon;             ///< of each other
   std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to it; empty for a cell's only sheet
   std::vector<FlatPart> flats;           ///< shape flats only
   bool level = false;                    ///< crease: all its facets face one side of surfaces[0], so it is a graph over it

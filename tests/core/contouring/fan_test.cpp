@@ -21,7 +21,7 @@ TEST(Fan, AMovedBendDoesNotCostTheCrease) {
   loop.vertices = {0, 1, 2, 3, 4, 5};
   loop.surfaces = {no_surface, no_surface, 1, 1, 0, 0};
   loop.gap = 1e-4;
-  const Fan fan = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 1e-6, 0);
+  const Fan fan = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 0.1, 1e-6, 0);
   EXPECT_EQ(fan.bound, 1e-4) << "as far as the loop was moved, no farther";
   EXPECT_NEAR((fan.apex - Vec3(0.5, 0.5, 0.5)).norm(), 0, 1e-12);
 }
@@ -38,10 +38,10 @@ TEST(Fan, PlanesTooNearlyParallelForALineAreASlab) {
   DrawnLoop loop;
   loop.vertices = {0, 1, 2, 3};
   loop.surfaces = {0, 1, 1, 0};
-  const Fan fan = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 1e-6, 0);
+  const Fan fan = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 0.1, 1e-6, 0);
   EXPECT_GT(fan.bound, 1) << "it may be folded";
   sheet.level = true;
-  const Fan level = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 1e-6, 0);
+  const Fan level = make_fan(table, Box3(Vec3::Zero(), Vec3::Ones()), sheet, loop, vertices, 0.1, 1e-6, 0);
   EXPECT_LT(level.bound, 1e-11);
   EXPECT_NEAR(level.apex.z(), 0.5, 1e-11);
 }
