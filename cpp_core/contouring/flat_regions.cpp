@@ -24,7 +24,8 @@ constexpr std::size_t regions_at_once = 1024;
 
 class Merger {
  public:
-  Merger(SurfaceMesh& mesh, double tolerance, const GoOn& go_on) : mesh_(mesh), tolerance_(tolerance), go_on_(go_on) {}
+  Merger(SurfaceMesh& mesh, double tolerance, const GoOn& go_on, const std::function<bool()>& hurried)
+      : mesh_(mesh), tolerance_(tolerance), go_on_(go_on), hurried_(hurried) {}
 
   FlatMerge run() {
     Connectivity connectivity = connect(mesh_.vertices, mesh_.triangles);
@@ -41,6 +42,7 @@ class Merger {
       bool again = false;
       for (std::size_t r = 0; r < regions_.size(); ++r)
         if (bad[r] && !frozen[r]) frozen[r] = again = true;
+      if (again && hurried_ && hurried_()) std::fill(frozen.begin(), frozen.end(), char{1});
       if (!again) {
         adopt();
         return result;
@@ -256,6 +258,7 @@ class Merger {
   SurfaceMesh& mesh_;
   double tolerance_;
   const GoOn& go_on_;
+  const std::function<bool()>& hurried_;
   std::vector<Triangle> neighbours_;
   std::vector<std::uint32_t> region_;
   std::vector<std::vector<std::uint32_t>> regions_;
@@ -267,9 +270,9 @@ class Merger {
 
 }  // namespace
 
-FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on) {
+FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on, const std::function<bool()>& hurried) {
   if (mesh.triangles.empty()) return {0, true, {}, false};
-  return Merger(mesh, tolerance, go_on).run();
+  return Merger(mesh, tolerance, go_on, hurried).run();
 }
 
 }  // namespace starcell

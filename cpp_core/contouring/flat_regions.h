@@ -19,7 +19,7 @@ struct FlatMerge {
   bool depends_on_rounding = false;     ///< some meet if coordinates are rounded, be it only one of the three
 };
 
-/// Throws CancelledError.
-FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on = {});
+/// `hurried`: asked when regions did not serve; true: then none is merged. Throws CancelledError.
+FlatMerge merge_flat_regions(SurfaceMesh& mesh, double tolerance, const GoOn& go_on = {}, const std::function<bool()>& hurried = {});
 
 }  // namespace starcell

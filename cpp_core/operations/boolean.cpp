@@ -167,12 +167,13 @@ class Evaluation {
       best.shifts = shifts;
       polish = std::move(other);
     };
+    if (out_of_time()) return;
     if (polish.tight && !best.grazes.empty() && best.shifts.empty()) {
       const std::vector<Vec3> shifts = shifts_off_grazes(table_at({}), best.grazes, 0.25 * tolerances_.contact);
       if (farthest(shifts) > 0) try_instead(best_run(shifts, Engine::Effort::usual), shifts);
     }
     if (polish.meet_as_floats.size() > std::max(few_places, best.run.mesh.triangles.size() / triangles_to_a_place)) return;
-    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty(); ++attempt)
+    for (int attempt = 0; attempt < most_float_attempts && !polish.meet_as_floats.empty() && !out_of_time(); ++attempt)
       try_instead(engine_.run(table_at(best.shifts), farthest(best.shifts), most_attempts + attempt), best.shifts);
   }
 
@@ -198,9 +199,12 @@ class Evaluation {
   // Budgets that the user set hold for all attempts together; ours are there to end one that leads nowhere.
   bool out_of_budget(const Run& run) const {
     const Budget& budget = options_.budget;
-    return run.exhausted && (budget.max_bytes > 0 || seconds_since(start_) >= budget.max_seconds ||
-                             (budget.max_cells > 0 && statistics_.cells.load() >= budget.max_cells));
+    return out_of_time() ||
+           (run.exhausted && (budget.max_bytes > 0 || (budget.max_cells > 0 && statistics_.cells.load() >= budget.max_cells)));
   }
+
+  // No attempt is begun any more; what there is is still made a mesh.
+  bool out_of_time() const { return seconds_since(start_) >= options_.budget.max_seconds; }
 
   // Tries another position of the grid where the first one is unlucky and the tree small enough; keeps the smallest tree.
   Run best_run(const std::vector<Vec3>& shifts, Engine::Effort effort) {
@@ -209,7 +213,7 @@ class Evaluation {
     const bool few = few_surfaces(table);
     Run best = engine_.run(table, moved, 0, effort);
     std::size_t work = best.leaves;
-    for (int attempt = 1; attempt < most_attempts; ++attempt) {
+    for (int attempt = 1; attempt < most_attempts && !out_of_time(); ++attempt) {
       const bool smaller = few && best.leaves > least_leaves && work < most_work;
       // One solid alone touches nothing: what is open then is a line of the grid along its surface, as round numbers have it.
       const bool unlucky = best.grazes || (!table.regions.empty() && !best.unresolved.empty() && best.suspects.empty() && !out_of_budget(best));

@@ -55,6 +55,10 @@ void report(const Octree& tree, const FacetTable& table, Run& run) {
 
 }  // namespace
 
+bool Engine::out_of_time() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >= options_.budget.max_seconds;
+}
+
 void Engine::tell(double done, const std::string& stage) const {
   if (progress_ && !progress_(done, stage)) throw CancelledError("The run was cancelled.");
 }
@@ -89,10 +93,10 @@ Run Engine::run(const FacetTable& table, double moved, int attempt, Effort effor
 Polish Engine::polish(Run& run) const {
   const Timed timed(timings_["seconds.merge"]);
   const GoOn go_on = [this] { return !progress_ || progress_(0.9, "merging flat regions"); };
-  FlatMerge merge = merge_flat_regions(run.mesh, 1e-11 * scale(), go_on);
+  FlatMerge merge = merge_flat_regions(run.mesh, 1e-11 * scale(), go_on, [this] { return out_of_time(); });
   run.bound += merge.moved;
   if (!merge.embedded || !merge.depends_on_rounding) return {merge.embedded, {}, false};
-  if (run.unresolved.size() > hopeless) return {true, std::move(merge.meeting_as_floats), true};
+  if (run.unresolved.size() > hopeless || out_of_time()) return {true, std::move(merge.meeting_as_floats), true};
   const double most = std::min(0.05 * tolerances_.error, 64 * run.grid.step);
   const FloatGaps gaps = open_float_gaps(run.mesh.vertices, run.mesh.triangles, most, go_on);
   run.bound += gaps.moved;

@@ -54,6 +54,7 @@ class Engine {
   Polish polish(Run& run) const;
 
  private:
+  bool out_of_time() const;
   void tell(double done, const std::string& stage) const;
   double scale() const { return std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff()); }
   AcceptanceSettings acceptance_settings(const FacetTable& table, const Grid& grid, double moved) const;

@@ -28,13 +28,14 @@ PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progres
     if (progress && !progress(0.99, "decimating")) throw CancelledError("The run was cancelled.");
     return true;
   };
-  const double bound = std::min(mesh.certificate.error_bound, error);   // what is more than asked for is at the unresolved places
-  Decimated few = decimate(std::move(mesh.vertices), std::move(mesh.triangles), error - bound, go_on);
   Provenance provenance;
   provenance.name = name;
-  provenance.deflection = bound + few.bound;
   provenance.unresolved = std::move(mesh.certificate.unresolved);
   provenance.contacts = std::move(mesh.certificate.contacts);   // how far it was moved off them is counted in its bound
+  if (mesh.triangles.empty()) return Polyhedron::trusted({}, {}, std::move(provenance));
+  const double bound = std::min(mesh.certificate.error_bound, error);   // what is more than asked for is at the unresolved places
+  Decimated few = decimate(std::move(mesh.vertices), std::move(mesh.triangles), error - bound, go_on);
+  provenance.deflection = bound + few.bound;
   return Polyhedron::trusted(std::move(few.vertices), std::move(few.triangles), std::move(provenance));
 }
 
@@ -44,6 +45,7 @@ class Offsetting {
 
   Expression of(const Expression& e, double r) const {
     using Kind = Expression::Kind;
+    if (e.kind() == Kind::polyhedron && e.polyhedron()->triangles().empty()) return e;   // nothing, or no mesh of it
     if (const auto closed = closed_offset(e, r)) return *closed;
     switch (e.kind()) {
       case Kind::polyhedron: return of_polyhedron(e.polyhedron(), r);
@@ -58,10 +60,11 @@ class Offsetting {
       case Kind::curved:
       case Kind::offset: break;
     }
-    return of_polyhedron(meshed(e), r);
+    return of(Expression(meshed(e)), r);
   }
 
-  /// The solid as a polyhedron: itself, or a certified mesh of it.
+  /// The solid as a polyhedron: itself, or a certified mesh of it; none if it is empty, or if no mesh could be proved: then its
+  /// provenance says so, and what is made of it is unresolved.
   PolyhedronPtr meshed(const Expression& e) const {
     if (e.kind() == Expression::Kind::polyhedron) return e.polyhedron();
     Options options = options_;
@@ -69,7 +72,6 @@ class Offsetting {
     options.error = contour_share * most;
     options.contact.reset();
     Result mesh = evaluate(e, options);
-    if (mesh.triangles.empty()) throw std::invalid_argument("solid: it is empty, or has no certified mesh within the error");
     return thinned(std::move(mesh), most, "mesh of the solid", options.progress);
   }
 

@@ -22,9 +22,14 @@ struct Grid {
   double step = 1.0;                     ///< multiples of it in the root box are float32 numbers; a multiple of unit
   std::array<std::int64_t, 3> origin{};  ///< lower corner of the root, in units
   int depth = 0;                         ///< the root's side is 2^depth units
+  int finer = 0;                         ///< crossings of lines are told apart down to unit / 2^finer: doubles hold such coordinates
 
   double coordinate(int axis, std::uint32_t index) const {
     return unit * static_cast<double>(origin[axis] + static_cast<std::int64_t>(index));
+  }
+  /// Of a point between grid points, `fraction` in units / 2^finer.
+  double coordinate(int axis, std::uint32_t index, std::uint64_t fraction) const {
+    return unit * (static_cast<double>(origin[axis] + static_cast<std::int64_t>(index)) + std::ldexp(static_cast<double>(fraction), -finer));
   }
   double length(std::uint32_t size) const { return unit * static_cast<double>(size); }
   /// Room for a point on an edge or a face of this size: two float32 steps where the size allows.

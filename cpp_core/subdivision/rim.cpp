@@ -21,17 +21,15 @@ bool value_of(const LocalExpression& expression, const std::vector<char>& inside
   return *expression.simplified(states).constant();
 }
 
+// Where two crossings of one surface are nearer to each other than the grid is fine, a stretch is looked at in finer intervals,
+// so many in all: beside a knife's edge a few do, a surface that runs along the line would need all there are.
+constexpr int most_finer = 256;
+
 // A stretch of a grid line, in grid coordinates.
 struct Stretch {
   int axis;
   GridPoint from;
   std::uint32_t size;
-
-  GridPoint at(std::uint32_t offset) const {
-    GridPoint p = from;
-    p[axis] += offset;
-    return p;
-  }
 };
 
 struct Event {
@@ -43,7 +41,8 @@ struct Event {
 class Side {
  public:
   Side(const Restriction& restriction, const CellProblem& problem, const Stretch& stretch)
-      : restriction_(restriction), table_(restriction.table()), grid_(restriction.grid()), problem_(problem), stretch_(stretch) {}
+      : restriction_(restriction), table_(restriction.table()), grid_(restriction.grid()), problem_(problem), stretch_(stretch),
+        whole_(std::uint64_t{stretch.size} << restriction.grid().finer) {}
 
   // Events in ascending order; `sure` says that it is their order, and that none is missing.
   std::vector<Event> events(bool& sure) {
@@ -61,7 +60,7 @@ class Side {
   }
 
  private:
-  Crossing crossing(std::uint32_t surface, double at, std::uint32_t root = 0) const {
+  Crossing crossing(std::uint32_t surface, double at, std::uint64_t root = 0) const {
     Crossing x;
     x.axis = static_cast<std::uint8_t>(stretch_.axis);
     x.i = stretch_.from[(stretch_.axis + 1) % 3];
@@ -108,36 +107,43 @@ class Side {
   void region_events(std::uint32_t surface, std::size_t slot) {
     const SmoothSurface* form = restriction_.form_of(problem_, slot);
     if (!form) {
-      if (plane_sign(surface, 0) != plane_sign(surface, stretch_.size)) toggle(event_on(surface), slot);
+      if (plane_sign(surface, 0) != plane_sign(surface, whole_)) toggle(event_on(surface), slot);
       return;
     }
     bool known = false;   // through another slot on the same surface
     for (Event& e : events_)
       if (e.crossing.surface == surface) e.slots.push_back(slot), known = true;
-    if (!known) isolate(*form, surface, slot, 0, stretch_.size);
+    if (!known) isolate(*form, surface, slot, 0, whole_);
   }
 
-  // The function's sign at an offset along the stretch; what is not certain grazes.
+  // Offsets along the stretch are in units / 2^finer.
+  Vec3 place(std::uint64_t offset) const {
+    Vec3 p = grid_.point(stretch_.from);
+    p[stretch_.axis] = grid_.coordinate(stretch_.axis, stretch_.from[stretch_.axis], offset);
+    return p;
+  }
+
+  // The function's sign at an offset; what is not certain grazes.
   template <class F>
-  int sign(const F& s, std::uint32_t offset) {
+  int sign(const F& s, std::uint64_t offset) {
     const auto [found, sure] = plain_sign(s, offset);
     sure_ = sure_ && sure;
     return found;
   }
 
-  int plane_sign(std::uint32_t surface, std::uint32_t offset) { return sign(table_.surfaces[surface], offset); }
+  int plane_sign(std::uint32_t surface, std::uint64_t offset) { return sign(table_.surfaces[surface], offset); }
 
-  // A sign that depends on the grid point alone, and whether it is certain.
+  // A sign that depends on the place alone, and whether it is certain.
   template <class F>
-  std::pair<int, bool> plain_sign(const F& s, std::uint32_t offset) const {
+  std::pair<int, bool> plain_sign(const F& s, std::uint64_t offset) const {
     const Rounding rounding;
-    const Interval value = s.expand(grid_.point(stretch_.at(offset)), Vec3::Zero()).value;
+    const Interval value = s.expand(place(offset), Vec3::Zero()).value;
     const int certain = certain_sign(value);
     return {certain != 0 ? certain : middle(value) < 0 ? -1 : 1, certain != 0};
   }
 
-  void isolate(const SmoothSurface& s, std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size) {
-    const Vec3 a = grid_.point(stretch_.at(from)), b = grid_.point(stretch_.at(from + size));
+  void isolate(const SmoothSurface& s, std::uint32_t surface, std::size_t slot, std::uint64_t from, std::uint64_t size) {
+    const Vec3 a = place(from), b = place(from + size);
     bool none, monotone;
     Interval slope;
     {
@@ -148,7 +154,8 @@ class Side {
       monotone = certain_sign(slope) != 0;
     }
     if (none) return;
-    if (monotone || size == 1) {
+    if (!monotone && size <= std::uint64_t{1} << grid_.finer) --finer_left_;
+    if (monotone || size == 1 || finer_left_ < 0) {
       if (!monotone) sure_ = false;
       if (sign(s, from) != sign(s, from + size)) enclose_root(s, surface, slot, from, size, slope);
       return;
@@ -157,11 +164,12 @@ class Side {
     isolate(s, surface, slot, from + size / 2, size / 2);
   }
 
-  // Newton's method proposes, signs at grid coordinates decide in which interval of the grid the root is.
-  void enclose_root(const SmoothSurface& s, std::uint32_t surface, std::size_t slot, std::uint32_t from, std::uint32_t size, const Interval& slope) {
+  // Newton's method proposes, signs decide in which of the finest intervals the root is.
+  void enclose_root(const SmoothSurface& s, std::uint32_t surface, std::size_t slot, std::uint64_t from, std::uint64_t size, const Interval& slope) {
     const int axis = stretch_.axis;
-    const double begin = grid_.coordinate(axis, stretch_.from[axis] + from), length = grid_.length(size);
-    Vec3 p = grid_.point(stretch_.from);
+    const double fine = std::ldexp(grid_.unit, -grid_.finer), length = fine * static_cast<double>(size);
+    Vec3 p = place(from);
+    const double begin = p[axis];
     p[axis] = begin + 0.5 * length;
     for (int step = 0; step < 6; ++step) {
       Vec3 gradient;
@@ -174,9 +182,9 @@ class Side {
     }
     // Which interval it is names the root. Where its end is too near for a certain sign the same guess is made from every cell.
     const int start = plain_sign(s, from).first;
-    std::uint32_t low = 0, high = size;   // different signs at from + low, from + high
+    std::uint64_t low = 0, high = size;   // different signs at from + low, from + high
     bool low_sure = true, high_sure = true;
-    const auto probe = [&](std::uint32_t offset) {
+    const auto probe = [&](std::uint64_t offset) {
       if (offset <= low || offset >= high) return;
       const auto [found, sure] = plain_sign(s, from + offset);
       if (found == start)
@@ -184,13 +192,13 @@ class Side {
       else
         high = offset, high_sure = sure;
     };
-    const auto guess = static_cast<std::uint32_t>(std::clamp(std::floor((p[axis] - begin) / grid_.unit), 0.0, static_cast<double>(size - 1)));
+    const auto guess = static_cast<std::uint64_t>(std::clamp(std::floor((p[axis] - begin) / fine), 0.0, static_cast<double>(size - 1)));
     probe(guess);
     probe(guess + 1);
     while (high - low > 1) probe(low + (high - low) / 2);
-    const std::uint32_t root = stretch_.from[axis] + from + low;
+    const std::uint64_t root = (std::uint64_t{stretch_.from[axis]} << grid_.finer) + from + low;
     const double infinity = std::numeric_limits<double>::infinity();
-    double at_low = low_sure ? grid_.coordinate(axis, root) : -infinity, at_high = high_sure ? grid_.coordinate(axis, root + 1) : infinity;
+    double at_low = low_sure ? grid_.coordinate(axis, 0, root) : -infinity, at_high = high_sure ? grid_.coordinate(axis, 0, root + 1) : infinity;
     if (certain_sign(slope) != 0) {   // one step of interval Newton
       const Rounding rounding;
       const Interval newton = Interval(p[axis]) - s.expand(p, Vec3::Zero()).value / slope;
@@ -206,6 +214,8 @@ class Side {
   const Grid& grid_;
   const CellProblem& problem_;
   const Stretch stretch_;
+  const std::uint64_t whole_;   // its size, in units / 2^finer
+  int finer_left_ = most_finer;
   std::vector<Event> events_;
   bool sure_ = true;
 };

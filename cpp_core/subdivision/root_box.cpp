@@ -7,6 +7,9 @@ namespace starcell {
 namespace {
 
 constexpr int float_bits = 24;
+constexpr int double_bits = 53;
+// Two crossings of a knife's edge of 1e-3 are this much nearer to each other than the cells it takes are large.
+constexpr int most_finer = 12;
 // Cells may be this many levels below the root: 4e-9 of its side, fine enough for slivers between generic parts.
 constexpr int least_depth = 28;
 constexpr int candidates = 16;
@@ -67,6 +70,10 @@ Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
     }
     grid.origin[axis] = origin;
   }
+  // Sums and middles of two coordinates have to be doubles too.
+  std::int64_t farthest = 0;
+  for (const std::int64_t o : grid.origin) farthest = std::max(farthest, std::abs(o) + (std::int64_t{1} << grid.depth));
+  grid.finer = std::clamp(double_bits - 3 - std::ilogb(static_cast<double>(farthest)), 0, most_finer);
   return grid;
 }
 

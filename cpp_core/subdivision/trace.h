@@ -18,12 +18,12 @@ namespace starcell {
 constexpr std::uint32_t no_surface = UINT32_MAX;
 
 /// A crossing of E with a grid line. A plane meets a line once, so line and surface identify it for every cell; of a smooth
-/// surface's crossings each lies in a grid interval of its own.
+/// surface's crossings each lies in an interval of its own, finer than the grid's.
 struct Crossing {
   std::uint8_t axis = 0;         ///< the line's direction
   std::uint32_t i = 0, j = 0;    ///< the line's grid coordinates on axes axis+1 and axis+2
   std::uint32_t surface = 0;
-  std::uint32_t root = 0;        ///< smooth surfaces: between the grid coordinates root and root + 1; planes: 0
+  std::uint64_t root = 0;        ///< smooth surfaces: between root and root + 1 times 2^-Grid::finer units; planes: 0
   std::uint32_t low = 0, high = 0;  ///< the crossing is proved to lie between these grid coordinates
   double at = 0;                 ///< where it is, in world coordinates, to rounding
   std::uint8_t patch = UINT8_MAX;  ///< its patch in the cell that found it; no part of its identity

@@ -197,6 +197,28 @@ TEST(Offset, OfWhatIsNotCertifiedIsNot) {
   EXPECT_TRUE(std::isinf(r.certificate.error_bound));
 }
 
+// Nor does one that could not be made at all: the result says so, nothing is thrown.
+TEST(Offset, OfWhatHasNoMeshIsUnresolved) {
+  const Expression both = solid(block({0, 0, 0}, {2, 2, 2})) | Expression(CurvedSolid::sphere({2, 1, 1}, 0.7));
+  Options options = with_error(0.01);
+  options.budget.max_cells = 20;
+  const Prepared prepared = prepare_offset(both, -0.2, options);
+  const Result r = evaluate(prepared.expression, prepared.options);
+  EXPECT_EQ(r.certificate.verdict, Verdict::unresolved);
+  EXPECT_FALSE(r.certificate.unresolved.empty());
+  EXPECT_TRUE(std::isinf(r.certificate.error_bound));
+}
+
+// Two blocks that are apart have nothing in common, and it does not grow.
+TEST(Offset, OfNothingIsNothing) {
+  const Expression nothing = solid(block({0, 0, 0}, {1, 1, 1})) & solid(block({3, 0, 0}, {4, 1, 1}));
+  for (const double r : {0.2, -0.2}) {
+    const Result result = offset(nothing, r, 0.1);
+    EXPECT_EQ(result.certificate.verdict, Verdict::exact);
+    EXPECT_TRUE(result.triangles.empty());
+  }
+}
+
 TEST(Offset, RefusesWhatIsNoDistance) {
   const Expression a = solid(block({0, 0, 0}, {1, 1, 1}));
   for (const double distance : {0.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
