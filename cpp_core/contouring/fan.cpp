@@ -106,7 +106,7 @@ class FanMaker {
       flat.direction = turn * s.normal;
       flat.low = turn * s.offset - apart;
       flat.high = turn * s.offset + apart;
-      const Fan fan = FanMaker(table_, cell_, flat, loop_, vertices_, error_, margin_, pull_).slab();
+      Fan fan = FanMaker(table_, cell_, flat, loop_, vertices_, error_, margin_, pull_).slab();
       if (fan.bound < cell_.diagonal().norm()) return fan;
     }
     return anything();

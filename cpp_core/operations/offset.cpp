@@ -1,6 +1,7 @@
 #include "operations/offset.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -20,13 +21,31 @@ constexpr double tessellation_share = 0.25;
 constexpr double first_share = 0.4;
 // Of what an operand's mesh may take: contouring's part, the rest is decimation's.
 constexpr double contour_share = 0.5;
+// Of the seconds that are left when it begins: decimation's at most.
+constexpr double decimation_share = 0.5;
+
+// The seconds of a budget are for all that is done on the way, too.
+class Clock {
+ public:
+  explicit Clock(double seconds) : seconds_(seconds) {}
+  double left() const { return seconds_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Options rest(Options options) const {
+    options.budget.max_seconds = std::max(left(), 0.001);
+    return options;
+  }
+
+ private:
+  double seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 // A certified mesh as an operand, in few triangles: what its error leaves over goes to decimation. Distances from few large triangles
 // that bend one way are smoother than from many small ones that bend both ways, as contouring leaves them.
-PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progress& progress) {
+PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progress& progress, double seconds) {
+  const Clock patience(decimation_share * seconds);
   const auto go_on = [&] {
     if (progress && !progress(0.99, "decimating")) throw CancelledError("The run was cancelled.");
-    return true;
+    return patience.left() > 0;
   };
   Provenance provenance;
   provenance.name = name;
@@ -41,7 +60,14 @@ PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progres
 
 class Offsetting {
  public:
-  Offsetting(double error, const Options& options) : error_(error), options_(options) {}
+  Offsetting(double error, const Options& options) : error_(error), options_(options), clock_(options.budget.max_seconds) {}
+
+  /// What the expression is to be evaluated with.
+  Options rest() const {
+    Options options = clock_.rest(options_);
+    options.error = error_;
+    return options;
+  }
 
   Expression of(const Expression& e, double r) const {
     using Kind = Expression::Kind;
@@ -67,12 +93,12 @@ class Offsetting {
   /// provenance says so, and what is made of it is unresolved.
   PolyhedronPtr meshed(const Expression& e) const {
     if (e.kind() == Expression::Kind::polyhedron) return e.polyhedron();
-    Options options = options_;
+    Options options = clock_.rest(options_);
     const double most = tessellation_share * error_;
     options.error = contour_share * most;
     options.contact.reset();
     Result mesh = evaluate(e, options);
-    return thinned(std::move(mesh), most, "mesh of the solid", options.progress);
+    return thinned(std::move(mesh), most, "mesh of the solid", options.progress, clock_.left());
   }
 
  private:
@@ -105,6 +131,7 @@ class Offsetting {
 
   double error_;
   const Options& options_;
+  const Clock clock_;
 };
 
 void check(double value, const char* name) {
@@ -129,12 +156,13 @@ Prepared twice(const Expression& solid, double first, const Options& options) {
   const double error = error_for(solid, 0, options);
   const double most = first_share * error;
   const Options inner = with_error(options, contour_share * most);
-  const Prepared one = prepare_offset(solid, first, inner);
   const Offsetting offsetting(error, options);
+  const Prepared one = prepare_offset(solid, first, inner);
   Result mesh = evaluate(one.expression, one.options);
-  if (mesh.triangles.empty()) return {one.expression, with_error(options, error)};   // it is gone, and stays so
-  const auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress);
-  return {offsetting.of(Expression(middle), -first), with_error(options, error)};
+  if (mesh.triangles.empty()) return {one.expression, offsetting.rest()};   // it is gone, and stays so
+  const auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress, offsetting.rest().budget.max_seconds);
+  const Expression both = offsetting.of(Expression(middle), -first);
+  return {both, offsetting.rest()};
 }
 
 // All that is within `radius` of the faces that stay.
@@ -161,16 +189,18 @@ Expression wall_about(const Expression& solid, double radius, const std::vector<
 Prepared prepare_offset(const Expression& solid, double distance, const Options& options) {
   check(distance, "distance");
   const double error = error_for(solid, distance, options);
-  return {Offsetting(error, options).of(solid, distance), with_error(options, error)};
+  const Offsetting offsetting(error, options);
+  const Expression result = offsetting.of(solid, distance);
+  return {result, offsetting.rest()};
 }
 
 Prepared prepare_shell(const Expression& solid, double thickness, const Options& options, const std::vector<std::int64_t>& open_faces) {
   check(thickness, "thickness");
   const double error = error_for(solid, thickness, options);
-  const Expression reached = open_faces.empty() ? Offsetting(error, options).of(solid, thickness) : wall_about(solid, std::abs(thickness), open_faces);
-  const Options same = with_error(options, error);
-  if (thickness > 0) return {Expression::difference(reached, solid), same};
-  return {open_faces.empty() ? Expression::difference(solid, reached) : Expression::intersection({solid, reached}), same};
+  const Offsetting offsetting(error, options);
+  const Expression reached = open_faces.empty() ? offsetting.of(solid, thickness) : wall_about(solid, std::abs(thickness), open_faces);
+  if (thickness > 0) return {Expression::difference(reached, solid), offsetting.rest()};
+  return {open_faces.empty() ? Expression::difference(solid, reached) : Expression::intersection({solid, reached}), offsetting.rest()};
 }
 
 Prepared prepare_opening(const Expression& solid, double radius, const Options& options) {

@@ -17,6 +17,7 @@ bool value_of(const LocalExpression& expression, const std::vector<char>& inside
     return expression.value(mask);
   }
   std::vector<State> states;
+  states.reserve(inside.size());
   for (const char s : inside) states.push_back(s ? State::inside : State::outside);
   return *expression.simplified(states).constant();
 }
