@@ -51,10 +51,11 @@ PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progres
   provenance.name = name;
   provenance.unresolved = std::move(mesh.certificate.unresolved);
   provenance.contacts = std::move(mesh.certificate.contacts);   // how far it was moved off them is counted in its bound
-  if (mesh.triangles.empty()) return Polyhedron::trusted({}, {}, std::move(provenance));
   const double bound = std::min(mesh.certificate.error_bound, error);   // what is more than asked for is at the unresolved places
+  provenance.deflection = bound;
+  if (mesh.triangles.empty()) return Polyhedron::trusted({}, {}, std::move(provenance));
   Decimated few = decimate(std::move(mesh.vertices), std::move(mesh.triangles), error - bound, go_on);
-  provenance.deflection = bound + few.bound;
+  provenance.deflection += few.bound;
   return Polyhedron::trusted(std::move(few.vertices), std::move(few.triangles), std::move(provenance));
 }
 
@@ -159,7 +160,7 @@ Prepared twice(const Expression& solid, double first, const Options& options) {
   const Offsetting offsetting(error, options);
   const Prepared one = prepare_offset(solid, first, inner);
   Result mesh = evaluate(one.expression, one.options);
-  if (mesh.triangles.empty()) return {one.expression, offsetting.rest()};   // it is gone, and stays so
+  if (mesh.triangles.empty() && mesh.certificate.unresolved.empty()) return {one.expression, offsetting.rest()};   // it is gone, and stays so
   const auto middle = thinned(std::move(mesh), most, first < 0 ? "erosion" : "dilation", options.progress, offsetting.rest().budget.max_seconds);
   const Expression both = offsetting.of(Expression(middle), -first);
   return {both, offsetting.rest()};

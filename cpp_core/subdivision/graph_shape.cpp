@@ -313,7 +313,9 @@ GraphFan graph_fan(const Box3& cell, const Sheet& sheet, const std::vector<Vec3>
   const Vec3& u = sheet.direction;
   std::vector<const Surface*> on;
   for (const auto& surface : sheet.graph->surfaces) on.push_back(surface.get());
-  const Graph graph(on, sheet.graph->senses, sheet.graph->value, u, sheet.high, cell);
+  Box3 around = cell;
+  for (const Vec3& p : loop) around.extend(p);
+  const Graph graph(on, sheet.graph->senses, sheet.graph->value, u, sheet.high, around);
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : loop) centroid += p / static_cast<double>(loop.size());
   std::vector<Graph::Heights> rim;
@@ -364,7 +366,7 @@ GraphFan graph_fan(const Box3& cell, const Sheet& sheet, const std::vector<Vec3>
     }
   best.flat_bound = best.bound;
   double farthest = best.bound;
-  const double steepest = std::isfinite(farthest) ? graph.steepness(inflated(cell, Vec3::Constant(sheet.high) + sheet.high * u.cwiseAbs())) : 0;
+  const double steepest = std::isfinite(farthest) ? graph.steepness(inflated(around, Vec3::Constant(sheet.high) + sheet.high * u.cwiseAbs())) : 0;
   for (std::size_t k = 0; k < loop.size() && std::isfinite(farthest); ++k)
     if (sways[k].by + gap > 0) farthest = std::max(farthest, graph.beside(loop[k], loop[(k + 1) % loop.size()], best.bound, sways[k], gap, steepest));
   best.bound = farthest;

@@ -181,10 +181,12 @@ class Side {
       p[axis] = next;
       if (still) break;
     }
-    // Which interval it is names the root. Where its end is too near for a certain sign the same guess is made from every cell.
+    // Which interval it is names the root, and every cell has to find the same name. If both ends have certain signs it is the true
+    // one; otherwise bisection has the last word, whose places do not depend on where it began.
     const int start = plain_sign(s, from).first;
-    std::uint64_t low = 0, high = size;   // different signs at from + low, from + high
-    bool low_sure = true, high_sure = true;
+    std::uint64_t low, high;   // different signs at from + low, from + high
+    bool low_sure, high_sure;
+    const auto begin_anew = [&] { low = 0, high = size, low_sure = high_sure = true; };
     const auto probe = [&](std::uint64_t offset) {
       if (offset <= low || offset >= high) return;
       const auto [found, sure] = plain_sign(s, from + offset);
@@ -194,9 +196,13 @@ class Side {
         high = offset, high_sure = sure;
     };
     const auto guess = static_cast<std::uint64_t>(std::clamp(std::floor((p[axis] - begin) / fine), 0.0, static_cast<double>(size - 1)));
+    begin_anew();
     probe(guess);
     probe(guess + 1);
-    while (high - low > 1) probe(low + (high - low) / 2);
+    if (high - low > 1 || !low_sure || !high_sure) {
+      begin_anew();
+      while (high - low > 1) probe(low + (high - low) / 2);
+    }
     const std::uint64_t root = (std::uint64_t{stretch_.from[axis]} << grid_.finer) + from + low;
     const double infinity = std::numeric_limits<double>::infinity();
     double at_low = low_sure ? grid_.coordinate(axis, 0, root) : -infinity, at_high = high_sure ? grid_.coordinate(axis, 0, root + 1) : infinity;

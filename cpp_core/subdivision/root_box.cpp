@@ -7,7 +7,8 @@ namespace starcell {
 namespace {
 
 constexpr int float_bits = 24;
-constexpr int double_bits = 53;
+// Crossings are told apart to this many bits of the largest coordinate: distances are known to about 44.
+constexpr int finest_bits = 40;
 // Two crossings of a knife's edge of 1e-3 are this much nearer to each other than the cells it takes are large.
 constexpr int most_finer = 12;
 // Cells may be this many levels below the root: 4e-9 of its side, fine enough for slivers between generic parts.
@@ -70,10 +71,10 @@ Grid choose_grid(const Box3& box, const FacetTable& table, int attempt) {
     }
     grid.origin[axis] = origin;
   }
-  // Sums and middles of two coordinates have to be doubles too.
+  // Sums and middles of two coordinates are doubles then, and signs at the ends of such intervals seldom uncertain.
   std::int64_t farthest = 0;
   for (const std::int64_t o : grid.origin) farthest = std::max(farthest, std::abs(o) + (std::int64_t{1} << grid.depth));
-  grid.finer = std::clamp(double_bits - 3 - std::ilogb(static_cast<double>(farthest)), 0, most_finer);
+  grid.finer = std::clamp(finest_bits - std::ilogb(static_cast<double>(farthest)), 0, most_finer);
   return grid;
 }
 

@@ -209,6 +209,35 @@ TEST(Offset, OfWhatHasNoMeshIsUnresolved) {
   EXPECT_TRUE(std::isinf(r.certificate.error_bound));
 }
 
+// An erosion that could not be made is not one that leaves nothing.
+TEST(Opening, OfWhatHasNoMeshIsUnresolved) {
+  const Expression ring = solid(sample::torus(12, 8));
+  for (const auto prepare : {&prepare_opening, &prepare_closing}) {
+    Options options = with_error(0.4);
+    options.budget.max_cells = 1;
+    const Prepared prepared = prepare(ring, 0.2, options);
+    Options patient = prepared.options;
+    patient.budget = {};
+    EXPECT_EQ(evaluate(prepared.expression, patient).certificate.verdict, Verdict::unresolved);
+  }
+}
+
+// Nothing, as far as is known of two tessellated solids: their deflection is told.
+TEST(Offset, OfNothingIsAsFarAsItIsKnown) {
+  const auto tessellated = [](const Vec3& low, const Vec3& high) {
+    const auto b = block(low, high);
+    Provenance provenance;
+    provenance.name = "part";
+    provenance.deflection = 0.01;
+    return Expression(Polyhedron::trusted(b.vertices, b.triangles, provenance));
+  };
+  const Result result = offset(tessellated({0, 0, 0}, {1, 1, 1}) & tessellated({1.001, 0, 0}, {2, 1, 1}), 0.2, 0.1);
+  EXPECT_TRUE(result.triangles.empty());
+  ASSERT_EQ(result.certificate.tessellated.size(), 1u);
+  EXPECT_GE(result.certificate.tessellated.front().second, 0.01);
+  EXPECT_GE(result.certificate.error_bound, 0.01);
+}
+
 // Two blocks that are apart have nothing in common, and it does not grow.
 TEST(Offset, OfNothingIsNothing) {
   const Expression nothing = solid(block({0, 0, 0}, {1, 1, 1})) & solid(block({3, 0, 0}, {4, 1, 1}));
