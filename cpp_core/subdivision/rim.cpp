@@ -25,6 +25,7 @@ bool value_of(const LocalExpression& expression, const std::vector<char>& inside
 // Where two crossings of one surface are nearer to each other than the grid is fine, a stretch is looked at in finer intervals,
 // so many in all: beside a knife's edge a few do, a surface that runs along the line would need all there are.
 constexpr int most_finer = 256;
+constexpr int coarse_levels = 4;
 
 // A stretch of a grid line, in grid coordinates.
 struct Stretch {
@@ -156,7 +157,9 @@ class Side {
     }
     if (none) return;
     if (!monotone && size <= std::uint64_t{1} << grid_.finer) --finer_left_;
-    if (monotone || size == 1 || finer_left_ < 0) {
+    // Of a surface of too many pieces nothing is ever certain, and every look at it is dear: such cells are given up.
+    const bool coarse = !s.simple() && size <= whole_ >> coarse_levels;
+    if (monotone || size == 1 || finer_left_ < 0 || coarse) {
       if (!monotone) sure_ = false;
       if (sign(s, from) != sign(s, from + size)) enclose_root(s, surface, slot, from, size, slope);
       return;
