@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include "numerics/predicates.h"
 
 namespace starcell {
@@ -13,6 +15,25 @@ constexpr double rounding = 2.3e-16;
 constexpr double flat_angle = 4e-12;
 
 void widen(Cap& cap, const MeshFeatures::Face& face) { cap.radius = std::max(cap.radius, (face.normal - cap.axis).norm() + face.loss + 1e-12); }
+
+// A needle's cross product loses all its digits in double; from there on it is computed exactly.
+constexpr double needle_loss = 1e-12;
+
+// (b - a) x (c - a), each component to rounding; scaled alike so that none is too small for a double.
+Vec3 exact_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  using Exact = boost::multiprecision::cpp_rational;
+  std::array<Exact, 3> p, q, n;
+  for (int k = 0; k < 3; ++k) p[k] = Exact(b[k]) - Exact(a[k]), q[k] = Exact(c[k]) - Exact(a[k]);
+  Exact largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    n[k] = p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+    if (abs(n[k]) > largest) largest = abs(n[k]);
+  }
+  Vec3 result = Vec3::Zero();
+  if (largest == 0) return result;
+  for (int k = 0; k < 3; ++k) result[k] = Exact(n[k] / largest).convert_to<double>();
+  return result;
+}
 
 }  // namespace
 
@@ -43,6 +64,9 @@ void MeshFeatures::make_faces() {
     face.normal = area > 0 ? Vec3(n / area) : Vec3::UnitX();
     // The product's terms are no larger than the two edges', and lose as much.
     face.loss = area > 0 ? 32 * rounding * face.length[0] * face.length[2] / area : 2;
+    if (face.loss > needle_loss)
+      if (const Vec3 exact = exact_normal(face.corners[0], face.corners[1], face.corners[2]); exact.norm() > 0)
+        face.normal = exact.normalized(), face.loss = 8 * rounding;
     for (int k = 0; k < 3; ++k) face.inward[k] = face.normal.cross(face.along[k]).normalized();
   }
 }

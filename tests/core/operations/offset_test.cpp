@@ -209,6 +209,18 @@ TEST(Offset, OfWhatHasNoMeshIsUnresolved) {
   EXPECT_TRUE(std::isinf(r.certificate.error_bound));
 }
 
+// A cube one of whose faces has a needle of 1e-13 along its edge, as tessellations of CAD faces do: in double its normal is noise.
+TEST(Offset, OfACubeWithANeedle) {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0.5, 1e-13, 1}};
+  const std::vector<Triangle> triangles{{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6},
+                                        {3, 0, 4}, {3, 4, 7}, {4, 5, 8}, {5, 6, 8}, {6, 7, 8}, {7, 4, 8}};
+  std::mt19937 random(3);
+  const Result result = offset(solid(turned({points, triangles}, random_rotation(random), {0.1, 0.2, 0.3})), 0.25, 0.02);
+  EXPECT_EQ(result.certificate.verdict, Verdict::exact);
+  const double r = 0.25, expected = 1 + 6 * r + 3 * pi * r * r + 4.0 / 3 * pi * r * r * r;   // Steiner
+  EXPECT_NEAR(volume(result), expected, 0.02 * 6 * (1 + 2 * r) * (1 + 2 * r));
+}
+
 // An erosion that could not be made is not one that leaves nothing.
 TEST(Opening, OfWhatHasNoMeshIsUnresolved) {
   const Expression ring = solid(sample::torus(12, 8));
