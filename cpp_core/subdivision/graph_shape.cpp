@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // In how many parts a segment beside which E's loop runs is looked at; how often a piece is halved.
-constexpr int pieces = 4;
+constexpr int parts = 4;
 constexpr int most_halvings = 2;
 constexpr double much_better = 0.7;
 // Of the room: what deviates no more than this is not looked at more closely.
@@ -102,7 +102,7 @@ class Graph {
     const double at_end = gap + sway.by * (any ? 1.0 : std::abs(sway.along.dot(u_)) + 1e-12);
     const double most = std::max({apart, at_end, 0.5 * (apart + at_end + steepest * aside)});
     const double whole = std::hypot(most, aside);
-    return whole <= room_ ? whole : beside(p, q, apart, at_end, aside, pieces);
+    return whole <= room_ ? whole : beside_in_parts(p, q, apart, at_end, aside);
   }
 
   double steepness(const Box3& box) const {
@@ -151,7 +151,7 @@ class Graph {
     return lift <= room_ ? lift : infinity;
   }
 
-  double beside(const Vec3& p, const Vec3& q, double apart, double at_end, double aside, int parts) const {
+  double beside_in_parts(const Vec3& p, const Vec3& q, double apart, double at_end, double aside) const {
     double farthest = 0;
     for (int part = 0; part < parts; ++part) {
       const Vec3 from = p + (q - p) * (static_cast<double>(part) / parts), to = p + (q - p) * (static_cast<double>(part + 1) / parts);
