@@ -1,6 +1,6 @@
 // A certificate as a file: one self-contained JSON text with everything that a check of it needs.
 //
-// Holds the operands' meshes, the half-spaces, curved solids and offsets, the expression, the options asked for, the result and every field of the
+// Holds the operands' meshes, the half-spaces, curved solids, offsets and sums, the expression, the options asked for, the result and every field of the
 // certificate. Numbers are written shortest round trip, so every double comes back bit-identical; what JSON has no number
 // for is the string "infinity", "-infinity" or "nan".
 // Guarantees: what read_certificate() returns is finite where it is geometry, and every index is in range. Says nothing
@@ -36,7 +36,13 @@ struct StoredOffset {
   std::vector<std::uint32_t> faces;   ///< of the operand, what it is measured from; none: all of it
 };
 
-/// A node of the expression. A leaf refers to an operand, a half-space, a curved solid or an offset, an inner node to nodes before it.
+/// A Minkowski sum of two operands, or (`erosion`) all places where the second one fits into the first.
+struct StoredSum {
+  std::uint32_t a = 0, b = 0;
+  bool erosion = false;
+};
+
+/// A node of the expression. A leaf refers to an operand, a half-space, a curved solid, an offset or a sum, an inner node to nodes before it.
 struct StoredNode {
   Expression::Kind kind = Expression::Kind::polyhedron;
   std::uint32_t leaf = 0;
@@ -48,6 +54,7 @@ struct CertificateFile {
   std::vector<HalfSpace> half_spaces;
   std::vector<CurvedSolidPtr> curved;
   std::vector<StoredOffset> offsets;
+  std::vector<StoredSum> sums;
   std::vector<StoredNode> expression;  ///< the last node is the root; empty: the result is no Boolean
   std::optional<double> error;         ///< as asked for; none: the default
   std::optional<double> contact;

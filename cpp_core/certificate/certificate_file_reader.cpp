@@ -115,7 +115,8 @@ StoredNode read_node(const Value& value, const CertificateFile& file) {
     node.leaf = value["index"].index(node.kind == Expression::Kind::polyhedron   ? file.operands.size()
                                      : node.kind == Expression::Kind::half_space ? file.half_spaces.size()
                                      : node.kind == Expression::Kind::curved     ? file.curved.size()
-                                                                                 : file.offsets.size());
+                                     : node.kind == Expression::Kind::offset     ? file.offsets.size()
+                                                                                 : file.sums.size());
     return node;
   }
   const Value children = value["children"];
@@ -206,6 +207,14 @@ CertificateFile read_file(const Value& root) {
           offset.faces.push_back(static_cast<std::uint32_t>(faces.at(i).index(file.operands[offset.operand].mesh.triangles.size())));
       }
       if (!std::isfinite(file.offsets.back().distance) || file.offsets.back().distance == 0) offsets.at(k)["distance"].fail("is no distance");
+    }
+  }
+  if (root.json.contains("sums")) {
+    const Value sums = root["sums"];
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      const Value erosion = sums.at(k)["erosion"];
+      if (!erosion.json.is_boolean()) erosion.fail("is neither true nor false");
+      file.sums.push_back({sums.at(k)["a"].index(file.operands.size()), sums.at(k)["b"].index(file.operands.size()), erosion.json.get<bool>()});
     }
   }
   for (std::size_t k = 0; k < expression.size(); ++k) file.expression.push_back(read_node(expression.at(k), file));

@@ -77,7 +77,7 @@ Json fields(const Certificate& c) {
 }
 
 Json to_json(const CertificateFile& file) {
-  Json operands = Json::array(), half_spaces = Json::array(), curved = Json::array(), offsets = Json::array(), expression = Json::array();
+  Json operands = Json::array(), half_spaces = Json::array(), curved = Json::array(), offsets = Json::array(), sums = Json::array(), expression = Json::array();
   for (const StoredOperand& operand : file.operands)
     operands.push_back({{"name", operand.name}, {"deflection", number(operand.deflection)}, {"mesh", mesh(operand.mesh)}});
   for (const HalfSpace& h : file.half_spaces)
@@ -87,6 +87,7 @@ Json to_json(const CertificateFile& file) {
     offsets.push_back({{"operand", offset.operand}, {"distance", offset.distance}});
     if (!offset.faces.empty()) offsets.back()["faces"] = offset.faces;
   }
+  for (const StoredSum& sum : file.sums) sums.push_back({{"a", sum.a}, {"b", sum.b}, {"erosion", sum.erosion}});
   for (const StoredNode& n : file.expression) expression.push_back(node(n));
   return {{"format", certificate_format},
           {"version", certificate_version},
@@ -96,6 +97,7 @@ Json to_json(const CertificateFile& file) {
           {"half_spaces", std::move(half_spaces)},
           {"curved", std::move(curved)},
           {"offsets", std::move(offsets)},
+          {"sums", std::move(sums)},
           {"operands", std::move(operands)},
           {"result", mesh(file.result)}};
 }
@@ -118,6 +120,9 @@ class Storing {
     } else if (e.kind() == Expression::Kind::offset) {
       node.leaf = static_cast<std::uint32_t>(file_.offsets.size());
       file_.offsets.push_back({operand(e.offset()->solid()), e.offset()->distance(), e.offset()->faces()});
+    } else if (e.kind() == Expression::Kind::sum) {
+      node.leaf = static_cast<std::uint32_t>(file_.sums.size());
+      file_.sums.push_back({operand(e.sum()->a()), operand(e.sum()->b()), e.sum()->kind() == SumSolid::Kind::erosion});
     } else {
       for (const Expression& child : e.operands()) node.children.push_back(store(child));
     }

@@ -207,7 +207,9 @@ class FanMaker {
     }
     Fan fan;
     fan.apex = apex;
-    fan.bound = std::hypot(std::max(high, sheet_.high) - std::min(low, sheet_.low), loop_.gap);
+    double sway = 0;   // of arcs that are not E's
+    for (const Sway& s : loop_.sways) sway = std::max(sway, s.by);
+    fan.bound = std::hypot(std::max(high, sheet_.high) - std::min(low, sheet_.low), loop_.gap + sway);
     return fan;
   }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "distance/offset_solid.h"
+#include "minkowski/sum_solid.h"
 #include "numerics/vector.h"
 #include "solids/curved_solid.h"
 #include "solids/half_space.h"
@@ -19,12 +20,13 @@ namespace starcell {
 
 class Expression {
  public:
-  enum class Kind { polyhedron, half_space, curved, offset, set_union, intersection, complement };
+  enum class Kind { polyhedron, half_space, curved, offset, sum, set_union, intersection, complement };
 
   explicit Expression(PolyhedronPtr solid);
   explicit Expression(const HalfSpace& half_space);
   explicit Expression(CurvedSolidPtr solid);
   explicit Expression(OffsetSolidPtr solid);
+  explicit Expression(SumSolidPtr solid);
 
   /// Union and intersection of one or more expressions. Throws std::invalid_argument when empty.
   static Expression set_union(const std::vector<Expression>& operands);
@@ -40,6 +42,7 @@ class Expression {
   const HalfSpace& half_space() const { return *node_->half_space; }        ///< kind() == half_space
   const CurvedSolidPtr& curved() const { return node_->curved; }            ///< kind() == curved
   const OffsetSolidPtr& offset() const { return node_->offset; }            ///< kind() == offset
+  const SumSolidPtr& sum() const { return node_->sum; }                     ///< kind() == sum
   const std::vector<Expression>& operands() const { return node_->operands; }
 
   /// A box that contains the solid. Throws UnboundedError if none can be derived.
@@ -53,6 +56,7 @@ class Expression {
     std::shared_ptr<const HalfSpace> half_space;
     CurvedSolidPtr curved;
     OffsetSolidPtr offset;
+    SumSolidPtr sum;
     std::vector<Expression> operands;
   };
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}

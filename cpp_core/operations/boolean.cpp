@@ -59,7 +59,7 @@ class Evaluation {
  public:
   Evaluation(const Expression& expression, const Options& options)
       : options_(options), box_(expression.bounding_box()), operands_(gather_operands(expression, padded(box_))),
-        tolerances_(split_error(options, box_, all_polyhedra(operands_))),
+        tolerances_(split_error(options, box_, deflection_of(operands_))),
         progress_([this](double done, const std::string& stage) { return report_progress(done, stage); }),
         engine_(operands_, options, box_, tolerances_, progress_, statistics_, result_.certificate.statistics) {}
 
@@ -181,7 +181,7 @@ class Evaluation {
   const FacetTable& table_at(const std::vector<Vec3>& shifts) {
     if (!table_ || table_shifts_ != shifts) {
       table_.reset();   // two at once would be the peak of memory
-      table_ = gather_facets(operands_.solids, identical(), shifts, operands_.regions);
+      table_ = gather_facets(operands_.solids, identical(), shifts, operands_.regions, operands_.candidates);
       table_shifts_ = shifts;
     }
     return *table_;

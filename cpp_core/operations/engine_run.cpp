@@ -139,6 +139,7 @@ SubdivisionLimits Engine::limits(const Grid& grid, Effort effort) const {
 std::size_t Engine::cells_for(Effort effort) const {
   double facets = 0;
   for (const auto& solid : operands_.solids) facets += static_cast<double>(solid->triangles().size());
+  for (const auto& solid : operands_.candidates) facets += static_cast<double>(solid->facets().size());
   facets += regions_as_facets * static_cast<double>(operands_.regions.size());
   if (effort == Effort::a_look) return static_cast<std::size_t>(1e5 + 3 * facets);
   const double across = std::isinf(tolerances_.error) ? 1 : longest_side(box_) / tolerances_.error;

@@ -1,16 +1,14 @@
 #include "operations/offset.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
-#include "decimation/decimate.h"
 #include "operations/closed_offset.h"
 #include "operations/critical_width.h"
-#include "solids/errors.h"
+#include "operations/operand_mesh.h"
 
 namespace starcell {
 namespace {
@@ -19,45 +17,6 @@ namespace {
 constexpr double tessellation_share = 0.25;
 // What the first of two offsets may take.
 constexpr double first_share = 0.4;
-// Of what an operand's mesh may take: contouring's part, the rest is decimation's.
-constexpr double contour_share = 0.5;
-// Of the seconds that are left when it begins: decimation's at most.
-constexpr double decimation_share = 0.5;
-
-// The seconds of a budget are for all that is done on the way, too.
-class Clock {
- public:
-  explicit Clock(double seconds) : seconds_(seconds) {}
-  double left() const { return seconds_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  Options rest(Options options) const {
-    options.budget.max_seconds = std::max(left(), 0.001);
-    return options;
-  }
-
- private:
-  double seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-// A certified mesh as an operand, in few triangles: what its error leaves over goes to decimation. Distances from few large triangles
-// that bend one way are smoother than from many small ones that bend both ways, as contouring leaves them.
-PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progress& progress, double seconds) {
-  const Clock patience(decimation_share * seconds);
-  const auto go_on = [&] {
-    if (progress && !progress(0.99, "decimating")) throw CancelledError("The run was cancelled.");
-    return patience.left() > 0;
-  };
-  Provenance provenance;
-  provenance.name = name;
-  provenance.unresolved = std::move(mesh.certificate.unresolved);
-  provenance.contacts = std::move(mesh.certificate.contacts);   // how far it was moved off them is counted in its bound
-  const double bound = std::min(mesh.certificate.error_bound, error);   // what is more than asked for is at the unresolved places
-  provenance.deflection = bound;
-  if (mesh.triangles.empty()) return Polyhedron::trusted({}, {}, std::move(provenance));
-  Decimated few = decimate(std::move(mesh.vertices), std::move(mesh.triangles), error - bound, go_on);
-  provenance.deflection += few.bound;
-  return Polyhedron::trusted(std::move(few.vertices), std::move(few.triangles), std::move(provenance));
-}
 
 class Offsetting {
  public:
@@ -85,22 +44,15 @@ class Offsetting {
         break;
       case Kind::half_space:
       case Kind::curved:
-      case Kind::offset: break;
+      case Kind::offset:
+      case Kind::sum: break;
     }
     return of(Expression(meshed(e)), r);
   }
 
   /// The solid as a polyhedron: itself, or a certified mesh of it; none if it is empty, or if no mesh could be proved: then its
   /// provenance says so, and what is made of it is unresolved.
-  PolyhedronPtr meshed(const Expression& e) const {
-    if (e.kind() == Expression::Kind::polyhedron) return e.polyhedron();
-    Options options = clock_.rest(options_);
-    const double most = tessellation_share * error_;
-    options.error = contour_share * most;
-    options.contact.reset();
-    Result mesh = evaluate(e, options);
-    return thinned(std::move(mesh), most, "mesh of the solid", options.progress, clock_.left());
-  }
+  PolyhedronPtr meshed(const Expression& e) const { return operand_mesh(e, tessellation_share * error_, options_, clock_, "mesh of the solid"); }
 
  private:
   Expression of_polyhedron(const PolyhedronPtr& solid, double r) const {

@@ -1,5 +1,6 @@
 #include "operations/operands.h"
 
+#include <algorithm>
 #include <map>
 
 namespace starcell {
@@ -35,6 +36,7 @@ class Gatherer {
       case Expression::Kind::half_space: leaf(&e.half_space(), nullptr, &e.half_space()); return;
       case Expression::Kind::curved: curved(e.curved()); return;
       case Expression::Kind::offset: offset(e.offset()); return;
+      case Expression::Kind::sum: sum(e.sum()); return;
       default: break;
     }
     for (const Expression& operand : e.operands()) visit(operand);
@@ -48,16 +50,24 @@ class Gatherer {
   std::vector<LocalExpression::Step> program;
   std::vector<PolyhedronPtr> solids;
   std::vector<RegionOperand> regions;
+  std::vector<CandidateSolidPtr> candidates;
   std::vector<PolyhedronPtr> sources;
+  std::vector<std::pair<std::size_t, std::size_t>> summands;
 
-  // Regions are numbered after all polyhedra, whose number is known only now.
-  void number_regions() {
-    for (auto& step : program)
-      if (step.op == LocalExpression::Op::leaf && step.count >= first_region) step.count += static_cast<std::uint32_t>(solids.size()) - first_region;
+  // Sums are numbered after all polyhedra, and regions after sums: how many there are is known only now.
+  void number_others() {
+    const auto sums_from = static_cast<std::uint32_t>(solids.size()), regions_from = static_cast<std::uint32_t>(solids.size() + candidates.size());
+    for (auto& step : program) {
+      if (step.op != LocalExpression::Op::leaf) continue;
+      if (step.count >= first_region)
+        step.count += regions_from - first_region;
+      else if (step.count >= first_sum)
+        step.count += sums_from - first_sum;
+    }
   }
 
  private:
-  static constexpr std::uint32_t first_region = 0x80000000u;
+  static constexpr std::uint32_t first_sum = 0x40000000u, first_region = 0x80000000u;
 
   void curved(const CurvedSolidPtr& solid) {
     const auto [it, fresh] = index_.emplace(solid.get(), static_cast<std::uint32_t>(regions.size()));
@@ -78,6 +88,17 @@ class Gatherer {
     program.push_back({LocalExpression::Op::leaf, first_region + it->second});
   }
 
+  void sum(const SumSolidPtr& solid) {
+    const auto [it, fresh] = index_.emplace(solid.get(), static_cast<std::uint32_t>(candidates.size()));
+    if (fresh) {
+      candidates.push_back(solid);
+      summands.emplace_back(sources.size(), sources.size() + 1);
+      sources.push_back(solid->a());
+      sources.push_back(solid->b());
+    }
+    program.push_back({LocalExpression::Op::leaf, first_sum + it->second});
+  }
+
   void leaf(const void* key, PolyhedronPtr solid, const HalfSpace* half_space = nullptr) {
     const auto [it, fresh] = index_.emplace(key, static_cast<std::uint32_t>(solids.size()));
     if (fresh) solids.push_back(half_space ? cover(*half_space, box_) : std::move(solid));
@@ -93,11 +114,20 @@ class Gatherer {
 Operands gather_operands(const Expression& expression, const Box3& box) {
   Gatherer gatherer(box);
   gatherer.visit(expression);
-  gatherer.number_regions();
-  std::vector<std::uint32_t> all(gatherer.solids.size() + gatherer.regions.size());
+  gatherer.number_others();
+  std::vector<std::uint32_t> all(gatherer.solids.size() + gatherer.candidates.size() + gatherer.regions.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  return {std::move(gatherer.solids), std::move(gatherer.regions), LocalExpression(std::move(gatherer.program), std::move(all)),
-          std::move(gatherer.sources)};
+  return {std::move(gatherer.solids), std::move(gatherer.candidates), std::move(gatherer.regions), LocalExpression(std::move(gatherer.program), std::move(all)),
+          std::move(gatherer.sources), std::move(gatherer.summands)};
+}
+
+double deflection_of(const Operands& operands) {
+  const auto of = [](const PolyhedronPtr& solid) { return solid->provenance().deflection + solid->provenance().moved; };
+  double most = 0;
+  for (const auto& solid : operands.solids) most = std::max(most, of(solid));
+  for (const auto& solid : operands.sources) most = std::max(most, of(solid));
+  for (const auto& [a, b] : operands.summands) most = std::max(most, of(operands.sources[a]) + of(operands.sources[b]));
+  return most;
 }
 
 }  // namespace starcell

@@ -9,14 +9,21 @@ namespace starcell {
 
 struct Operands {
   std::vector<PolyhedronPtr> solids;   ///< each once, however often it occurs
-  std::vector<RegionOperand> regions;   ///< those of curved solids; they come after all polyhedra
+  std::vector<CandidateSolidPtr> candidates;   ///< sums; they come after all polyhedra
+  std::vector<RegionOperand> regions;   ///< those of curved solids; they come last
   LocalExpression expression;
 
-  /// The polyhedra that offsets are of.
+  /// The polyhedra that offsets and sums are of.
   std::vector<PolyhedronPtr> sources;
 
-  std::size_t size() const { return solids.size() + regions.size(); }
+  /// Per candidate: which two of the sources it is made of.
+  std::vector<std::pair<std::size_t, std::size_t>> summands;
+
+  std::size_t size() const { return solids.size() + candidates.size() + regions.size(); }
 };
+
+/// The largest distance by which an operand may be off what it stands for; those of a sum's operands add up.
+double deflection_of(const Operands& operands);
 
 /// Curved solids become intersections of regions, half-spaces large boxes that agree with them inside `box`.
 Operands gather_operands(const Expression& expression, const Box3& box);

@@ -7,15 +7,14 @@
 
 namespace starcell {
 
-Tolerances split_error(const Options& options, const Box3& box, const std::vector<PolyhedronPtr>& solids) {
+Tolerances split_error(const Options& options, const Box3& box, double deflection) {
   Tolerances t;
   const double length = longest_side(box);   // 0 where nothing is left
   t.error = options.error.value_or(length / 128);
   if (!(t.error > 0)) throw std::invalid_argument("error: must be greater than 0");
   t.contact = options.contact.value_or(std::isinf(t.error) ? length / 12800 : t.error / 100);
   if (!(t.contact > 0) || std::isinf(t.contact)) throw std::invalid_argument("contact: must be greater than 0 and finite");
-  t.inputs = 0;
-  for (const auto& solid : solids) t.inputs = std::max(t.inputs, solid->provenance().deflection + solid->provenance().moved);
+  t.inputs = deflection;
   // Rounding of plane equations and of the apexes: far above what double arithmetic can lose on coordinates this large.
   const double rounding = box.isEmpty() ? 0.0 : 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   t.inputs += rounding;

@@ -1,10 +1,8 @@
 // How the error that was asked for is shared out: the operands' own deflection first, the rest is the cells'.
 #pragma once
 
-#include <vector>
-
+#include "numerics/vector.h"
 #include "operations/options.h"
-#include "solids/polyhedron.h"
 
 namespace starcell {
 
@@ -16,6 +14,7 @@ struct Tolerances {
 };
 
 /// `box`: of the result. Throws std::invalid_argument if the error leaves nothing for the cells.
-Tolerances split_error(const Options& options, const Box3& box, const std::vector<PolyhedronPtr>& solids);
+/// `deflection`: the largest by which an operand may be off.
+Tolerances split_error(const Options& options, const Box3& box, double deflection);
 
 }  // namespace starcell

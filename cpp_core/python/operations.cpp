@@ -4,11 +4,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <variant>
 
 #include "arrays.h"
 #include "bindings.h"
 #include "interruptible.h"
-#include "operations/offset.h"
+#include "operations/minkowski.h"
 #include "solids/mesh_writer.h"
 
 namespace starcell::python {
@@ -117,29 +118,42 @@ py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::
 }
 
 using Preparation = Prepared (*)(const Expression&, double, const Options&);
+using SolidPreparation = Prepared (*)(const Expression&, const Expression&, const Options&);
 
-void bind_prepared(py::module_& module, const char* name, const char* argument, Preparation prepare, const char* doc) {
+// Binds a function of one solid, of two, or of a solid and a number.
+template <class Second, class Prepare>
+void bind_prepared(py::module_& module, const char* name, const char* first, const char* second, Prepare prepare, const char* doc) {
   module.def(
       name,
-      [prepare](const Expression& solid, double amount, std::optional<double> error, std::optional<double> contact,
+      [prepare](const Expression& solid, const Second& other, std::optional<double> error, std::optional<double> contact,
                 const std::string& criterion, int threads, const std::optional<Budget>& budget, const py::object& progress,
                 const std::string& on_unresolved) {
-        return evaluate_prepared([&](const Options& options) { return prepare(solid, amount, options); }, error, contact, criterion, threads,
+        return evaluate_prepared([&](const Options& options) { return prepare(solid, other, options); }, error, contact, criterion, threads,
                                  budget, progress, on_unresolved);
       },
-      py::arg("solid"), py::arg(argument), py::arg("error") = py::none(), py::arg("contact") = py::none(), py::arg("criterion") = "trace",
+      py::arg(first), py::arg(second), py::arg("error") = py::none(), py::arg("contact") = py::none(), py::arg("criterion") = "trace",
       py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return", doc);
 }
 
-Prepared prepare_dilation(const Expression& solid, double radius, const Options& options) {
-  if (!(radius > 0)) throw std::invalid_argument("element: a ball's radius must be positive");
-  return prepare_offset(solid, radius, options);
+/// A ball's radius, or any solid.
+using Element = std::variant<double, Expression>;
+
+// Morphology with a ball, or with any solid.
+void bind_morphology(py::module_& module, const char* name, Preparation with_ball, SolidPreparation with_solid, const char* doc) {
+  bind_prepared<Element>(
+      module, name, "solid", "element",
+      [with_ball, with_solid](const Expression& solid, const Element& element, const Options& options) {
+        if (const double* radius = std::get_if<double>(&element)) {
+          if (!(*radius > 0) || !std::isfinite(*radius)) throw std::invalid_argument("element: a ball's radius must be positive and finite");
+          return with_ball(solid, *radius, options);
+        }
+        return with_solid(solid, std::get<Expression>(element), options);
+      },
+      doc);
 }
 
-Prepared prepare_erosion(const Expression& solid, double radius, const Options& options) {
-  if (!(radius > 0)) throw std::invalid_argument("element: a ball's radius must be positive");
-  return prepare_offset(solid, -radius, options);
-}
+Prepared dilated(const Expression& solid, double radius, const Options& options) { return prepare_offset(solid, radius, options); }
+Prepared eroded(const Expression& solid, double radius, const Options& options) { return prepare_offset(solid, -radius, options); }
 
 void bind_budget(py::module_& module) {
   py::class_<Budget>(
@@ -211,7 +225,7 @@ void bind_operations(py::module_& module) {
       "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever "
       "progress "
       "raises, KeyboardInterrupt. Source: T§3.");
-  bind_prepared(module, "offset", "distance", &prepare_offset,
+  bind_prepared<double>(module, "offset", "solid", "distance", &prepare_offset,
                 "The rounded offset of a Solid: all points within `distance` of it (> 0, model units), or all its points farther than "
                 "-distance from its boundary (< 0).\n\nOther arguments, and errors raised, as for evaluate(); error None: longest side of the "
                 "result's box / 128. What has no closed form is meshed first and named in certificate.tessellated. Source: T§4.2.");
@@ -230,17 +244,24 @@ void bind_operations(py::module_& module) {
       "as numbers of CAD faces (cad_faces), or of triangles if the solid is a Polyhedron that is no import; the wall is then what lies within "
       "its thickness of the other faces. ValueError for numbers that are none of the solid's, if none would stay, and for solids without "
       "faces to choose from. Other arguments, and errors raised, as for offset(). Source: T§4.2.");
-  bind_prepared(module, "dilate", "element", &prepare_dilation,
-                "Minkowski sum with a ball of radius `element` (model units). Other arguments as for offset(). Source: T§1.2.");
-  bind_prepared(module, "erode", "element", &prepare_erosion,
-                "What a ball of radius `element` (model units) leaves of a Solid: points farther than that from its boundary. Other arguments "
-                "as for offset(). Source: T§1.2.");
-  bind_prepared(module, "opening", "element", &prepare_opening,
-                "Erosion, then dilation, by a ball of radius `element` (model units): parts thinner than its diameter go, convex edges are "
-                "rounded. The error is shared between the two. Other arguments as for offset(). Source: T§1.2.");
-  bind_prepared(module, "closing", "element", &prepare_closing,
-                "Dilation, then erosion, by a ball of radius `element` (model units): slots narrower than its diameter are filled, concave "
-                "edges rounded. The error is shared between the two. Other arguments as for offset(). Source: T§1.2.");
+  bind_prepared<Expression>(
+      module, "minkowski_sum", "a", "b", &prepare_minkowski_sum,
+      "The Minkowski sum {a + b} of two Solids, of any shape, the origin anywhere.\n\nA sphere as one of them makes it an offset; other curved "
+      "solids are meshed first, within a share of the error, and named in certificate.tessellated. error None: longest side of the sum's box / "
+      "128, model units. Other arguments, and errors raised, as for evaluate(). Source: T§4.1, Campen & Kobbelt 2010.");
+  bind_morphology(module, "dilate", &dilated, &prepare_minkowski_sum,
+                  "Minkowski sum with `element`: a ball of that radius (model units), or a Solid. Other arguments as for minkowski_sum(). Source: "
+                  "T§1.2.");
+  bind_morphology(module, "erode", &eroded, &prepare_erosion,
+                  "Where `element` fits into a Solid: all x with x + element inside. A number is a ball's radius (model units): points farther "
+                  "than that from the boundary. Other arguments as for minkowski_sum(). Source: T§1.2.");
+  bind_morphology(module, "opening", &prepare_opening, &prepare_opening,
+                  "Erosion, then dilation, by `element`: all that it covers where it fits in. With a ball of that radius (model units) parts "
+                  "thinner than its diameter go, convex edges are rounded. The error is shared between the two. Other arguments as for "
+                  "minkowski_sum(). Source: T§1.2.");
+  bind_morphology(module, "closing", &prepare_closing, &prepare_closing,
+                  "Dilation, then erosion, by `element`: a ball's radius (model units) or a Solid. Slots narrower than it are filled, concave "
+                  "edges rounded. The error is shared between the two. Other arguments as for minkowski_sum(). Source: T§1.2.");
 }
 
 }  // namespace starcell::python

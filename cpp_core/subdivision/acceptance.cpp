@@ -74,6 +74,13 @@ bool degenerate(const FacetTable& table, const std::vector<std::uint32_t>& surfa
   return std::abs(a.dot(b.cross(c))) < 1e-9;
 }
 
+double largest_sway(const Leaf& leaf) {
+  double sway = 0;
+  for (const auto& arcs : leaf.arcs)
+    for (const Arc& arc : arcs) sway = std::max(sway, arc.sway);
+  return sway;
+}
+
 // Leaves are what fills the memory: nothing in them is kept larger than it has to be.
 void compact(Leaf& leaf) {
   if (leaf.sheets.size() == 1) leaf.sheets.front().crossings = {};
@@ -92,6 +99,8 @@ constexpr std::size_t many_facets = 32;
 constexpr std::size_t most_star_facets = 400;
 // The fan may add its loop's deviation to a slab's thickness: see contouring/loop_points.h.
 constexpr double slab_share = 0.85;
+// What F-star's arcs may leave E's by.
+constexpr double sway_share = 0.4;
 
 }  // namespace
 
@@ -136,7 +145,7 @@ std::optional<Leaf> Acceptance::accept(CellProblem& problem) const {
     if (hopeless(problem, box)) return std::nullopt;
     const bool ok = problem.has_regions(restriction_.table())      ? accept_patches(problem, box, leaf)
                     : settings_.criterion == Criterion::complex_cell ? accept_complex(problem, box, leaf)
-                    : groups_may_cross(restriction_, problem, box) ? accept_crossing(problem, box, leaf)
+                    : problem.candidates(restriction_.table()) != 0 || groups_may_cross(restriction_, problem, box) ? accept_crossing(problem, box, leaf)
                                                                    : accept_linked(problem, box, leaf);
     if (!ok) return std::nullopt;
   }
@@ -193,8 +202,10 @@ bool Acceptance::accept_linked(const CellProblem& problem, const Box3& box, Leaf
 }
 
 bool Acceptance::trace_faces(const CellProblem& problem, const LocalPlanes& local, Leaf& leaf) const {
+  RimLines rims(restriction_, problem);
+  const TraceSettings settings{settings_.pull, sway_share * settings_.error};
   for (int side = 0; side < 6; ++side) {
-    auto arcs = trace_face(restriction_, problem, problem.facets, face_of(problem.cell, side), settings_.pull, local, statistics_);
+    auto arcs = trace_face(restriction_, problem, problem.facets, face_of(problem.cell, side), settings, local, rims, statistics_);
     if (!arcs) return false;
     leaf.arcs[side] = std::move(*arcs);
     for (const Arc& arc : leaf.arcs[side]) leaf.contact = leaf.contact || arc.concurrent;
@@ -208,7 +219,7 @@ bool Acceptance::trace_faces(const CellProblem& problem, const LocalPlanes& loca
 bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   const FacetTable& table = restriction_.table();
   const auto cone = concurrent_sheet(restriction_, box, surfaces_of(table, problem.facets), vertices_inside(table, problem.facets, box));
-  if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, LocalPlanes(), leaf)) return false;
+  if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, LocalPlanes(), leaf) || largest_sway(leaf) > 0) return false;
   const auto loops = leaf_loops(leaf);
   if (!loops) return false;
   leaf.contact = true;
@@ -256,6 +267,10 @@ bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf
     leaf.sheets.push_back(std::move(*sheet));
   }
   if (!leaf.sheets.empty() && !trace_faces(problem, LocalPlanes(), leaf)) return false;
+  if (largest_sway(leaf) > 0) {   // some face was not arranged: its arcs are not E's, and no fan over them is
+    if (!small_enough(box)) return false;
+    for (Sheet& sheet : leaf.sheets) sheet.shape = Sheet::Shape::loose, sheet.flats.clear();
+  }
   count(statistics_.voxel_planes);
   const FacetTable& table = restriction_.table();
   for (const std::uint32_t id : surfaces_of(table, problem.facets)) leaf.contact = leaf.contact || table.surfaces[id].shared;
@@ -296,7 +311,9 @@ bool Acceptance::accept_thin(const CellProblem& problem, const Box3& box, const 
 
 // V-star bounds no distance by itself: only for cells that are small enough, or when topology is all that is asked.
 bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  if (!small_enough(box) || problem.facets.size() > most_star_facets) return false;
+  if (problem.facets.size() > most_star_facets) return false;
+  if (const auto slab = slab_of_candidates(problem, box)) return accept_slab(problem, *slab, leaf);
+  if (!small_enough(box)) return false;
   if (worth_isolating(surfaces_of(restriction_.table(), problem.facets), box)) return false;
   const auto direction = star_direction(restriction_, problem, statistics_);
   if (!direction || !trace_faces(problem, LocalPlanes(), leaf)) return false;
@@ -306,6 +323,30 @@ bool Acceptance::accept_star(const CellProblem& problem, const Box3& box, Leaf& 
     Sheet sheet;
     sheet.crossings = crossings;
     leaf.sheets.push_back(std::move(sheet));
+  }
+  count(statistics_.voxel_star);
+  return true;
+}
+
+// One candidate solid whose facets are all seen along one direction, in a slab that the error allows.
+std::optional<Sheet> Acceptance::slab_of_candidates(const CellProblem& problem, const Box3& box) const {
+  const FacetTable& table = restriction_.table();
+  if (std::isinf(settings_.error) || problem.slots() != 1 || problem.candidates(table) == 0) return std::nullopt;
+  if (std::any_of(problem.facets.begin(), problem.facets.end(), [&](std::uint32_t f) { return table.surfaces[table.surface[f]].shared; })) return std::nullopt;
+  auto slab = slab_sheet(table, box, problem.facets, problem.expression.value(0));
+  if (!slab || slab->high - slab->low > slab_share * settings_.error) return std::nullopt;
+  return slab;
+}
+
+// V-star with the slab's direction, which bounds the distance too.
+bool Acceptance::accept_slab(const CellProblem& problem, const Sheet& slab, Leaf& leaf) const {
+  if (!trace_faces(problem, LocalPlanes(), leaf)) return false;
+  if (!(std::hypot(slab.high - slab.low, largest_sway(leaf)) <= 0.95 * settings_.error)) return false;
+  const auto loops = star_loops(leaf, slab.direction);
+  if (!loops) return false;
+  for (const auto& crossings : *loops) {
+    leaf.sheets.push_back(slab);
+    leaf.sheets.back().crossings = crossings;
   }
   count(statistics_.voxel_star);
   return true;
@@ -335,7 +376,7 @@ Leaf Acceptance::give_up(CellProblem& problem) const {
     if (problem.has_regions(restriction_.table())) {
       if (const auto patches = Patches::of(restriction_, problem)) arcs = star_face(restriction_, *patches, rims, face, settings_.error, statistics_);
     } else if (problem.slots() <= max_slots)
-      arcs = trace_face(restriction_, problem, problem.facets, face, settings_.pull, LocalPlanes(), statistics_);
+      arcs = trace_face(restriction_, problem, problem.facets, face, {settings_.pull, settings_.error}, LocalPlanes(), rims, statistics_);
     leaf.arcs[side] = arcs ? std::move(*arcs) : force_face(restriction_, problem, face);
   }
   leaf.problem = std::move(problem);

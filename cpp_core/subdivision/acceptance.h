@@ -42,6 +42,8 @@ class Acceptance {
   bool accept_planes(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_cone(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_star(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
+  std::optional<Sheet> slab_of_candidates(const CellProblem& problem, const Box3& box) const;
+  bool accept_slab(const CellProblem& problem, const Sheet& slab, Leaf& leaf) const;
   bool accept_complex(const CellProblem& problem, const Box3& box, Leaf& leaf) const;
   bool accept_thin(const CellProblem& problem, const Box3& box, const LocalPlanes& local, Leaf& leaf) const;
   bool accept_patches(const CellProblem& problem, const Box3& box, Leaf& leaf) const;

@@ -16,6 +16,35 @@ std::uint32_t Restriction::slot_of(const CellProblem& problem, std::uint32_t fac
   return static_cast<std::uint32_t>(std::lower_bound(solids.begin(), solids.end(), operand) - solids.begin());
 }
 
+Membership CellProblem::candidates(const FacetTable& table) const {
+  Membership mask = 0;
+  if (table.candidates.empty()) return mask;
+  for (std::size_t slot = 0; slot < std::min(slots(), max_slots); ++slot)
+    if (table.candidate(expression.solids()[slot])) mask |= Membership{1} << slot;
+  return mask;
+}
+
+State Restriction::candidate_state(const CellProblem& problem, std::size_t slot, const Box3& box, bool any) const {
+  const std::uint32_t operand = problem.expression.solids()[slot];
+  const CandidateSolid& solid = *table_.candidate(operand);
+  const Vec3& shift = table_.shifts[operand];
+  if (any) {
+    const auto constant = solid.constant(Box3(box.min() - shift, box.max() - shift));
+    return constant ? (*constant ? State::inside : State::outside) : State::mixed;
+  }
+  // Without a facet membership is the same everywhere; places where it is uncertain are few.
+  for (const Vec3& at : {Vec3(0.5, 0.5, 0.5), Vec3(0.31, 0.43, 0.59), Vec3(0.67, 0.29, 0.37), Vec3(0.41, 0.73, 0.23), Vec3(0.83, 0.61, 0.79)})
+    if (const auto inside = candidate_contains(problem, slot, box.min() + at.cwiseProduct(box.sizes()))) return *inside ? State::inside : State::outside;
+  grazes_.store(true, std::memory_order_relaxed);
+  return State::outside;
+}
+
+bool Restriction::candidate_at(const CellProblem& problem, std::size_t slot, const Vec3& x) const {
+  const auto inside = candidate_contains(problem, slot, x);
+  if (!inside) grazes_.store(true, std::memory_order_relaxed);
+  return inside.value_or(false);
+}
+
 const SmoothSurface* Restriction::form_of(const CellProblem& problem, std::size_t slot) const {
   if (!problem.forms.empty() && problem.forms[slot]) return problem.forms[slot].get();
   return table_.surfaces[table_.region(problem.expression.solids()[slot]).surface].form.get();
@@ -65,10 +94,11 @@ CellProblem Restriction::root(const LocalExpression& expression) const {
       problem.at_lower[slot] = region_contains(problem, slot, box.min());
       continue;
     }
+    const bool candidate = table_.candidate(operand) != nullptr;
     for (std::uint32_t f = table_.first[operand]; f < table_.first[operand + 1]; ++f) {
       // Outside far away: parity along the line that leaves the root's lower corner downwards.
       const int sign = line_meets(table_, f, 0, box.min());
-      if (sign != 0 && crossing_below(table_, f, sign, box.min())) problem.at_lower[slot] ^= 1;
+      if (!candidate && sign != 0 && crossing_below(table_, f, sign, box.min())) problem.at_lower[slot] ^= 1;
       if (box_meets_facet(table_, f, box)) problem.facets.push_back(f);
     }
   }
@@ -98,7 +128,10 @@ void Restriction::simplify(CellProblem& problem) const {
       at = std::lower_bound(problem.facets.begin() + static_cast<std::ptrdiff_t>(at), problem.facets.end(), end) -
            problem.facets.begin();
     }
-    if (at > begin) {
+    if (table_.candidate(problem.expression.solids()[slot])) {
+      states[slot] = candidate_state(problem, slot, box, at > begin);
+      fold = fold || states[slot] != State::mixed;
+    } else if (at > begin) {
       states[slot] = State::mixed;
     } else {
       states[slot] = problem.at_lower[slot] ? State::inside : State::outside;
@@ -146,11 +179,14 @@ std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) cons
     from[s] = {corner & 1 ? middle[0] : lower[0], corner & 2 ? middle[1] : lower[1], lower[2]};
   }
   std::vector<std::uint8_t> flips(slots, 0);  // bit s: the solid flips along segment s
+  // What rounding moved a candidate facet by counts as reached.
+  const Vec3 pad = Vec3::Constant(table_.thickest);
   std::size_t slot = 0;
   for (const std::uint32_t f : parent.facets) {
     if (slots > 1)
       while (f >= table_.first[parent.expression.solids()[slot] + 1]) ++slot;
-    const Box3 box = table_.box(f);
+    const bool candidate = table_.candidate(parent.expression.solids()[slot]) != nullptr;
+    const Box3 box = candidate ? Box3(table_.box(f).min() - pad, table_.box(f).max() + pad) : table_.box(f);
     int low = 0, high = 0;  // bit k: the facet's box reaches the lower / upper half along axis k
     for (int k = 0; k < 3; ++k) {
       if (box.min()[k] <= middle[k]) low |= 1 << k;
@@ -161,10 +197,10 @@ std::array<CellProblem, 8> Restriction::children(const CellProblem& parent) cons
     } else {
       for (int i = 0; i < 8; ++i) {
         if ((i & ~high) || (~i & 7 & ~low)) continue;
-        if (box_meets_facet(table_, f, boxes[i])) result[i].facets.push_back(f);
+        if (box_meets_facet(table_, f, candidate ? Box3(boxes[i].min() - pad, boxes[i].max() + pad) : boxes[i])) result[i].facets.push_back(f);
       }
     }
-    for (int s = 0; s < 7; ++s) {
+    for (int s = 0; s < 7 && !candidate; ++s) {
       const int a = axis[s], x = (a + 1) % 3, y = (a + 2) % 3;
       if (box.max()[x] <= from[s][x] || box.min()[x] > from[s][x] || box.max()[y] <= from[s][y] ||
           box.min()[y] > from[s][y] || box.max()[a] <= from[s][a] || box.min()[a] > middle[a])
@@ -203,8 +239,10 @@ std::vector<char> Restriction::membership_at(const CellProblem& problem, const G
     }
     at[axis] = target[axis];
   }
-  for (std::size_t slot = 0; slot < problem.slots(); ++slot)
+  for (std::size_t slot = 0; slot < problem.slots(); ++slot) {
     if (table_.is_region(problem.expression.solids()[slot])) inside[slot] = region_contains(problem, slot, target);
+    if (table_.candidate(problem.expression.solids()[slot])) inside[slot] = candidate_at(problem, slot, target);
+  }
   return inside;
 }
 

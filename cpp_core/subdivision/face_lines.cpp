@@ -99,8 +99,13 @@ bool FaceLines::cover(const FaceProblem& in, const std::function<int(const FaceL
     return end.side < 0 && in.surface_of(end.neighbour) == in.planes.of(p.surface);
   };
   for (FaceLine& line : lines) line.covered.assign(line.others.size() + 1, 0);
+  const Membership candidates = in.problem.candidates(in.restriction.table());
   std::size_t used = 0;
   for (const Piece& first : in.pieces) {
+    if (candidates >> first.slot & 1) {
+      ++used;
+      continue;
+    }
     if (goes_on(first, first.from)) continue;
     const Piece* last = &first;
     ++used;

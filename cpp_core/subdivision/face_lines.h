@@ -56,7 +56,8 @@ struct FaceLines {
   /// A crossing of the face's rim, from an end: that of the facet which crosses there.
   Crossing crossing(const FaceProblem& problem, int line, bool start) const;
   /// Marks the sub-segments that facets cover, coplanar neighbours run together. `boundary` says which boundary between
-  /// sub-segments a piece's end on a line is (0: the line's start), or -1. False if the pieces do not fit the lines.
+  /// sub-segments a piece's end on a line is (0: the line's start), or -1. False if the pieces do not fit the lines. Candidates'
+  /// pieces are left out.
   bool cover(const FaceProblem& problem, const std::function<int(const FaceLine&, const PieceEnd&)>& boundary);
 };
 

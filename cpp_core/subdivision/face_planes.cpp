@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+
+#include "numerics/predicates.h"
 
 namespace starcell {
 namespace {
@@ -20,6 +23,7 @@ class Arrangement {
     }
     if (!face_.cover(in_, [&](const FaceLine& line, const PieceEnd& end) { return boundary(line, end); }))
       return std::nullopt;
+    if (!cover_by_candidates()) return std::nullopt;
     Membership corner = in_.restriction.mask_at(in_.problem, in_.face.corner(0, 0));
     if (!propagate(corner)) return std::nullopt;
     return chain();
@@ -85,6 +89,101 @@ class Arrangement {
     const int other = face_.line_of(in_.surface_of(end.neighbour));
     const int at = other < 0 ? -1 : position(line, other);
     return at < 0 ? -1 : at + 1;
+  }
+
+  // Where a candidate's pieces may flip it, membership on both sides says whether they do.
+  bool cover_by_candidates() {
+    const Membership candidates = in_.problem.candidates(in_.restriction.table());
+    if (candidates == 0) return true;
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+      for (std::size_t s = 0; s < lines_[i].covered.size(); ++s) {
+        const Vec2 at = middle_of(i, s);
+        for (std::size_t slot = 0; slot < in_.problem.slots(); ++slot) {
+          if (!(candidates >> slot & 1) || !reached(i, slot, at)) continue;
+          const auto flips = flips_at(i, slot, at);
+          if (!flips) return false;
+          if (*flips) lines_[i].covered[s] ^= Membership{1} << slot;
+        }
+      }
+    return true;
+  }
+
+  // About the middle of a sub-segment, relative to the face's lower corner.
+  Vec2 middle_of(int i, std::size_t s) const {
+    const FaceLine& line = lines_[i];
+    const auto place = [&](int boundary) {
+      if (boundary == 0 || boundary == static_cast<int>(line.others.size()) + 1) {
+        const int side = boundary == 0 ? line.start_side : line.end_side;
+        const double at = middle(boundary == 0 ? line.start_at : line.end_at);
+        return side == 0 ? Vec2{at, 0} : side == 1 ? Vec2{face_.size, at} : side == 2 ? Vec2{face_.size - at, face_.size} : Vec2{0, face_.size - at};
+      }
+      const int j = line.others[static_cast<std::size_t>(boundary) - 1];
+      const Vec2i& p = points_[static_cast<std::size_t>(std::min(i, j)) * lines_.size() + static_cast<std::size_t>(std::max(i, j))];
+      return Vec2{middle(p.b), middle(p.c)};
+    };
+    const Vec2 p = place(static_cast<int>(s)), q = place(static_cast<int>(s) + 1);
+    return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+  }
+
+  Vec3 in_space(const Vec2& at) const {
+    Vec3 x = face_.low;
+    x[in_.face.b_axis()] += at.x;
+    x[in_.face.c_axis()] += at.y;
+    return x;
+  }
+
+  // Does one of the solid's facets on the line reach the place?
+  bool reached(int i, std::size_t slot, const Vec2& at) const {
+    const FacetTable& table = in_.restriction.table();
+    const Vec3 x = in_space(at);
+    for (const Piece& piece : in_.pieces) {
+      if (piece.slot != slot || in_.planes.of(piece.surface) != lines_[i].surface) continue;
+      const Vec3 n = table.area_vector(piece.facet);
+      bool within = true;
+      for (int k = 0; k < 3 && within; ++k) {
+        const Vec3& p = table.corner(piece.facet, k);
+        const Vec3 outward = (table.corner(piece.facet, (k + 1) % 3) - p).cross(n);
+        within = outward.dot(x - p) <= 1e-9 * face_.size * outward.norm();
+      }
+      if (within) return true;
+    }
+    return false;
+  }
+
+  // Membership beside the line: off it by half the way to the nearest other line, so that the regions beside it are met for certain.
+  std::optional<bool> flips_at(int i, std::size_t slot, const Vec2& at) {
+    const auto value = [&](const FaceLine& line, const Vec2& p) { return line.nb * p.x + line.nc * p.y - line.d; };
+    std::array<Vec2, 2> beside;
+    std::array<std::uint64_t, 2> region{};
+    {
+      const Rounding rounding;
+      double room = std::min({at.x, at.y, face_.size - at.x, face_.size - at.y});
+      for (int j = 0; j < static_cast<int>(lines_.size()); ++j)
+        if (j != i) room = std::min(room, std::abs(middle(value(lines_[j], at))));
+      for (const int sense : {0, 1}) {
+        const double step = (sense ? 0.5 : -0.5) * room;
+        beside[sense] = {at.x + step * middle(lines_[i].nb), at.y + step * middle(lines_[i].nc)};
+        const Vec2& p = beside[sense];
+        if (!(p.x > 0 && p.y > 0 && p.x < face_.size && p.y < face_.size)) return std::nullopt;
+        for (int j = 0; j < static_cast<int>(lines_.size()); ++j) {
+          const int sign = certain_sign(value(lines_[j], p));
+          if (sign == 0 || (j == i && sign != (sense ? 1 : -1))) return std::nullopt;
+          if (sign > 0) region[sense] |= std::uint64_t{1} << j;
+        }
+      }
+    }
+    std::array<bool, 2> inside;
+    for (const int sense : {0, 1}) {
+      const std::pair key(slot, region[sense]);
+      auto known = regions_.find(key);
+      if (known == regions_.end()) {
+        const auto told = in_.restriction.candidate_contains(in_.problem, slot, in_space(beside[sense]));
+        if (!told) return std::nullopt;
+        known = regions_.emplace(key, *told).first;
+      }
+      inside[sense] = known->second;
+    }
+    return inside[0] != inside[1];
   }
 
   // Walks the perimeter, then every line, and learns the membership beside each sub-segment.
@@ -230,6 +329,7 @@ class Arrangement {
   std::vector<std::vector<int>> next_;   // per sub-segment, +1: E runs start -> end, -1: back, 0: not E
   std::vector<std::vector<char>> seen_;
   std::vector<Vec2i> points_;
+  std::map<std::pair<std::size_t, std::uint64_t>, bool> regions_;   // membership in candidate solids, by slot and sides of lines
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "subdivision/face_cone.h"
+#include "subdivision/face_graph.h"
 #include "subdivision/face_join.h"
 #include "subdivision/face_link.h"
 #include "subdivision/face_planes.h"
@@ -15,18 +16,19 @@ constexpr int max_splits = 5;
 
 class FaceTracer {
  public:
-  FaceTracer(const Restriction& restriction, const CellProblem& problem, double pull, const LocalPlanes& planes,
+  FaceTracer(const Restriction& restriction, const CellProblem& problem, const TraceSettings& settings, const LocalPlanes& planes, RimLines& rims,
              Statistics& statistics)
-      : restriction_(restriction), problem_(problem), pull_(pull), planes_(planes), statistics_(statistics) {}
+      : restriction_(restriction), problem_(problem), candidates_(problem.candidates(restriction.table())), settings_(settings), planes_(planes),
+        rims_(rims), statistics_(statistics) {}
 
   std::optional<std::vector<Arc>> trace(const std::vector<std::uint32_t>& facets, const Face& face, int splits) {
     const std::vector<Piece> pieces = face_pieces(restriction_, problem_, facets, face);
     if (pieces.empty()) return std::vector<Arc>{};
     const std::uint32_t slot = pieces.front().slot;
     const bool alone = std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.slot == slot; });
-    if (alone) return trace_one_solid(face, pieces, slot);
+    if (alone && !(candidates_ >> slot & 1)) return trace_one_solid(face, pieces, slot);
     if (line_count(pieces) <= max_lines) {
-      if (auto arcs = arrange_pieces({restriction_, problem_, face, pieces, pull_, planes_})) {
+      if (auto arcs = arrange_pieces({restriction_, problem_, face, pieces, settings_.pull, planes_})) {
         count(statistics_.face_planes);
         return arcs;
       }
@@ -35,6 +37,8 @@ class FaceTracer {
         return arcs;
       }
     }
+    if (candidates_ != 0)
+      if (auto arcs = graph_face(restriction_, problem_, pieces, rims_, face, settings_.error, statistics_)) return arcs;
     if (splits >= max_splits || face.size < 2) return std::nullopt;
     return split(pieces, face, splits);
   }
@@ -49,12 +53,13 @@ class FaceTracer {
 
   // Planes that are nearly one are no concurrent ones: smaller cells tell them apart from what crosses them.
   std::optional<std::vector<Arc>> trace_cone(const Face& face, const std::vector<Piece>& pieces) const {
+    if (candidates_ != 0) return std::nullopt;
     std::vector<std::uint32_t> facets;
     for (const Piece& p : pieces) facets.push_back(p.facet);
     const Grid& grid = restriction_.grid();
     const Box3 box(grid.point(face.corner(0, 0)), grid.point(face.corner(1, 1)));
     if (!LocalPlanes(restriction_.table(), facets, box).empty()) return std::nullopt;
-    return cone_pieces({restriction_, problem_, face, pieces, pull_, planes_});
+    return cone_pieces({restriction_, problem_, face, pieces, settings_.pull, planes_});
   }
 
   // No other solid's surface reaches the face, so membership in the others is that of any of its corners.
@@ -84,17 +89,19 @@ class FaceTracer {
 
   const Restriction& restriction_;
   const CellProblem& problem_;
-  double pull_;
+  const Membership candidates_;
+  const TraceSettings settings_;
   const LocalPlanes& planes_;
+  RimLines& rims_;
   Statistics& statistics_;
 };
 
 }  // namespace
 
 std::optional<std::vector<Arc>> trace_face(const Restriction& restriction, const CellProblem& problem,
-                                           const std::vector<std::uint32_t>& facets, const Face& face, double pull,
-                                           const LocalPlanes& planes, Statistics& statistics) {
-  return FaceTracer(restriction, problem, pull, planes, statistics).trace(facets, face, 0);
+                                           const std::vector<std::uint32_t>& facets, const Face& face, const TraceSettings& settings,
+                                           const LocalPlanes& planes, RimLines& rims, Statistics& statistics) {
+  return FaceTracer(restriction, problem, settings, planes, rims, statistics).trace(facets, face, 0);
 }
 
 }  // namespace starcell

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "subdivision/candidate_surfaces.h"
 #include "subdivision/grazes.h"
 #include "subdivision/region_identity.h"
 #include "subdivision/near_facets.h"
@@ -31,7 +32,7 @@ Surface plane_of(const FacetTable& table, std::uint32_t facet) {
   return s;
 }
 
-// Grows coplanar regions over each operand, largest facets first: their planes are the best determined.
+// Grows coplanar regions over each polyhedron, largest facets first: their planes are the best determined.
 void find_surfaces(FacetTable& table, double tolerance) {
   const std::size_t n = table.size();
   table.surface.assign(n, UINT32_MAX);
@@ -80,6 +81,34 @@ void find_surfaces(FacetTable& table, double tolerance) {
     }
 }
 
+// The candidates' facets, and where they have been moved. A facet's neighbour is its partner or itself.
+void add_candidates(FacetTable& table, const std::vector<CandidateSolidPtr>& candidates, const std::vector<Vec3>& shifts) {
+  for (const auto& solid : candidates) {
+    const auto point_shift = static_cast<std::uint32_t>(table.points.size());
+    const auto facet_shift = static_cast<std::uint32_t>(table.corners.size());
+    const Vec3 shift = shifts.empty() ? Vec3(Vec3::Zero()) : shifts[table.first.size() - 1];
+    for (const Vec3& p : solid->points()) table.points.push_back(p + shift);
+    const auto& facets = solid->facets();
+    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+      const Triangle& t = facets[f];
+      table.corners.push_back({t[0] + point_shift, t[1] + point_shift, t[2] + point_shift});
+      const std::uint32_t partner = solid->partners()[f];
+      Triangle beside{f + facet_shift, f + facet_shift, f + facet_shift};
+      for (int k = 0; k < 3 && partner != f; ++k) {
+        const Triangle& other = facets[partner];
+        const auto has = [&](std::uint32_t v) { return std::find(other.begin(), other.end(), v) != other.end(); };
+        if (has(t[k]) && has(t[(k + 1) % 3])) beside[k] = partner + facet_shift;
+      }
+      table.neighbours.push_back(beside);
+    }
+    table.first.push_back(static_cast<std::uint32_t>(table.corners.size()));
+    table.candidates.resize(table.first.size() - 1);
+    table.candidates.back() = solid;
+    table.shifts.resize(table.candidates.size(), Vec3::Zero());
+    table.shifts.back() = shift;
+  }
+}
+
 }  // namespace
 
 Expansion Surface::expand(const Vec3& center, const Vec3& reach) const {
@@ -113,7 +142,7 @@ std::uint32_t FacetTable::operand_of(std::uint32_t facet) const {
 }
 
 FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts,
-                         const std::vector<RegionOperand>& regions) {
+                         const std::vector<RegionOperand>& regions, const std::vector<CandidateSolidPtr>& candidates) {
   FacetTable table;
   std::size_t points = 0, facets = 0;
   for (const auto& solid : operands) points += solid->vertices().size(), facets += solid->triangles().size();
@@ -132,10 +161,14 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
       table.neighbours.push_back({t[0] + facet_shift, t[1] + facet_shift, t[2] + facet_shift});
     table.first.push_back(static_cast<std::uint32_t>(table.corners.size()));
   }
+  const auto polyhedra = static_cast<std::uint32_t>(operands.size());
+  find_surfaces(table, rounding_scale * magnitude(table.points));
+  add_candidates(table, candidates, shifts);
   const double scale = magnitude(table.points);
-  find_surfaces(table, rounding_scale * scale);
-  if (operands.size() > 1) {
-    const double tolerance = std::max(contact, rounding_scale * scale);
+  const double tolerance = std::max(contact, rounding_scale * scale);
+  for (std::uint32_t k = polyhedra; k < table.faceted(); ++k)
+    find_candidate_surfaces(table, table.first[k], table.first[k + 1], rounding_scale * scale, tolerance);
+  if (table.faceted() > 1) {
     const std::vector<FacetPair> pairs = near_facets(table, tolerance);
     identify_surfaces(table, pairs, tolerance);
     table.grazes = find_grazes(table, pairs, graze_scale * scale);
@@ -147,7 +180,7 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
     s.thickness = std::max(s.thickness, table.distance(s, f) + evaluation);
     table.thickest = std::max(table.thickest, s.thickness);
   }
-  add_regions(table, regions, std::max(contact, rounding_scale * scale), shifts);
+  add_regions(table, regions, tolerance, shifts);
   return table;
 }
 

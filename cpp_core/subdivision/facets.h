@@ -1,15 +1,18 @@
 // What bounds the operands, in one table: facets, which the octree pushes down its cells, and regions.
 //
-// An operand is a polyhedron, or a *region*: one side of a smooth surface or of a plane. Polyhedra come first. Facets of one
-// operand are consecutive. A *surface* is a supporting plane or a smooth surface with an identity: facets of one operand that
+// An operand is a polyhedron, a solid known by *candidate* facets and membership (solids/candidate_solid.h), or a *region*: one side
+// of a smooth surface or of a plane. They come in this order. Facets of one operand are consecutive; membership in a polyhedron is their
+// parity, a candidate's facets flip membership only where it says so. A *surface* is a supporting plane or a smooth surface with an identity: facets of one operand that
 // are coplanar to within rounding share it, and so do facets of different operands within the contact tolerance
 // (DESIGN §4). Every facet lies within `thickness` of its surface's canonical plane.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "solids/candidate_solid.h"
 #include "solids/curved_solid.h"
 #include "solids/polyhedron.h"
 
@@ -62,16 +65,23 @@ struct FacetTable {
   std::vector<std::uint32_t> surface;    ///< per facet
   std::vector<std::uint32_t> first;      ///< facets of operand s are first[s] .. first[s+1]
   std::vector<Surface> surfaces;
-  std::vector<Region> regions;           ///< operand k >= polyhedra() is regions[k - polyhedra()]
+  std::vector<CandidateSolidPtr> candidates;   ///< per operand with facets; null: a polyhedron
+  std::vector<Vec3> shifts;              ///< how far each candidate was moved
+  std::vector<Region> regions;           ///< operand k >= faceted() is regions[k - faceted()]
   std::vector<Graze> grazes;
   double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
 
   std::size_t size() const { return corners.size(); }
-  std::size_t polyhedra() const { return first.size() - 1; }
-  std::size_t operands() const { return polyhedra() + regions.size(); }
-  bool is_region(std::uint32_t operand) const { return operand >= polyhedra(); }
-  const Region& region(std::uint32_t operand) const { return regions[operand - polyhedra()]; }
+  /// Operands that have facets.
+  std::size_t faceted() const { return first.size() - 1; }
+  std::size_t operands() const { return faceted() + regions.size(); }
+  bool is_region(std::uint32_t operand) const { return operand >= faceted(); }
+  const Region& region(std::uint32_t operand) const { return regions[operand - faceted()]; }
+  /// Null: it has no candidates.
+  const CandidateSolid* candidate(std::uint32_t operand) const { return operand < candidates.size() ? candidates[operand].get() : nullptr; }
   std::uint32_t operand_of(std::uint32_t facet) const;
+  /// As the operand has it where it was moved to.
+  std::optional<bool> candidate_contains(std::uint32_t operand, const Vec3& x) const { return candidates[operand]->contains(x - shifts[operand]); }
   /// The largest distance of a facet's corners from a plane.
   double distance(const Surface& s, std::uint32_t facet) const;
   Box3 box(std::uint32_t facet) const;
@@ -86,6 +96,6 @@ struct FacetTable {
 /// within `contact` of the other's plane and their boxes come that near; regions when their surfaces are within it
 /// wherever both matter. `shifts`: a translation for each operand; empty: none.
 FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double contact, const std::vector<Vec3>& shifts = {},
-                         const std::vector<RegionOperand>& regions = {});
+                         const std::vector<RegionOperand>& regions = {}, const std::vector<CandidateSolidPtr>& candidates = {});
 
 }  // namespace starcell

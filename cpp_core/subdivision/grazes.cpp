@@ -119,7 +119,7 @@ std::vector<Vec3> shifts_off_grazes(const FacetTable& table, const std::vector<G
   for (const Graze& g : grazes) grazing[std::max(g.of, g.on)] = 1;
   // Surfaces that an operand shares must stay where they are: it may only move along all of them.
   std::vector<std::vector<Vec3>> fixed(n);
-  for (std::size_t s = 0; s < table.polyhedra(); ++s)
+  for (std::size_t s = 0; s < table.faceted(); ++s)
     for (std::uint32_t f = table.first[s]; grazing[s] && f < table.first[s + 1]; ++f) {
       const Surface& surface = table.surfaces[table.surface[f]];
       if (!surface.shared) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "numerics/predicates.h"
 
@@ -289,12 +290,13 @@ bool PlaneArrangement::keep_boundary() {
     middle /= static_cast<double>(polygon.corner.size());
     if (!certainly_inside(polygon, middle)) return false;
     const Vec3 world = middle + box_.min();
-    const Membership flips = covering(polygon.plane, world);
+    Membership flips = covering(polygon.plane, world);
     if (flips == 0) continue;
     const std::uint32_t surface = surfaces_[polygon.plane];
-    const auto around = restriction_.mask_near(
+    auto around = restriction_.mask_near(
         problem_, world, 0.0, [&](std::uint32_t f) { return surface_of(f) == surface; });
-    if (!around) return false;
+    if (!around || !candidates_beside(polygon, middle, *around, flips)) return false;
+    if (flips == 0) continue;
     const bool corner_side = problem_.expression.value(*around);
     if (corner_side == problem_.expression.value(*around ^ flips)) continue;
     polygon.positive_inside = (corner_sign_[polygon.plane] > 0) == corner_side;
@@ -324,16 +326,68 @@ Membership PlaneArrangement::covering(int plane, const Vec3& x) const {
   table.surfaces[surfaces_[plane]].normal.cwiseAbs().maxCoeff(&axis);
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
   const Vec2 at = project(x, axis);
+  const Membership candidates = problem_.candidates(table);
   Membership mask = 0;
   for (const std::uint32_t f : problem_.facets) {
     if (surface_of(f) != surfaces_[plane]) continue;
     const Vec2 p = project(table.corner(f, 0), axis), q = project(table.corner(f, 1), axis),
                r = project(table.corner(f, 2), axis);
     const int s = turn_grid(p, q, at, a, b);
-    if (s != 0 && turn_grid(q, r, at, a, b) == s && turn_grid(r, p, at, a, b) == s)
-      mask ^= Membership{1} << restriction_.slot_of(problem_, f);
+    if (s == 0 || turn_grid(q, r, at, a, b) != s || turn_grid(r, p, at, a, b) != s) continue;
+    const Membership bit = Membership{1} << restriction_.slot_of(problem_, f);
+    mask = candidates & bit ? mask | bit : mask ^ bit;
   }
   return mask;
+}
+
+// Candidate facets flip their solid where it is on one side of them only: `flips` loses the others, `around` learns membership on the
+// side of the cell's lower corner.
+bool PlaneArrangement::candidates_beside(const PlanePolygon& polygon, const Vec3& middle, Membership& around, Membership& flips) {
+  const Membership candidates = problem_.candidates(restriction_.table());
+  if (candidates == 0) return true;
+  // Off the plane by half the way to the nearest of the others: still in the region beside the polygon.
+  double room = std::numeric_limits<double>::infinity();
+  std::array<Vec3, 2> beside;   // on the negative side, on the positive
+  {
+    const Rounding rounding;
+    const Interval3 x{Interval(middle.x()), Interval(middle.y()), Interval(middle.z())};
+    for (int j = 0; j < count() + 6; ++j)
+      if (j != polygon.plane) room = std::min(room, std::abs(starcell::middle(value(planes_[j], x))));
+    const Vec3 n = restriction_.table().surfaces[surfaces_[polygon.plane]].normal;
+    for (const int sense : {0, 1}) {
+      beside[sense] = middle + (sense ? 0.5 : -0.5) * room * n;
+      const Interval3 y{Interval(beside[sense].x()), Interval(beside[sense].y()), Interval(beside[sense].z())};
+      for (int j = 0; j < count() + 6; ++j) {
+        const int wanted = j == polygon.plane ? (sense ? 1 : -1) : j < count() ? polygon.side[j] : (j - count()) % 2 ? -1 : 1;
+        if (certain_sign(value(planes_[j], y)) != wanted) return false;
+      }
+    }
+  }
+  std::vector<signed char> sides = polygon.side;
+  for (std::size_t slot = 0; slot < problem_.slots(); ++slot) {
+    const Membership bit = Membership{1} << slot;
+    if (!(candidates & bit)) continue;
+    std::array<bool, 2> inside;
+    for (const int sense : {0, 1}) {
+      sides[polygon.plane] = sense ? 1 : -1;
+      const auto known = candidate_at(slot, sides, beside[sense] + box_.min());
+      if (!known) return false;
+      inside[sense] = *known;
+    }
+    if (inside[0] == inside[1]) flips &= ~bit;
+    else if (!(flips & bit)) return false;   // E off its facets: rounding
+    if (inside[corner_sign_[polygon.plane] > 0]) around |= bit;
+  }
+  return true;
+}
+
+// Membership is constant on a region of the arrangement, which its planes' sides name.
+std::optional<bool> PlaneArrangement::candidate_at(std::size_t slot, const std::vector<signed char>& sides, const Vec3& x) {
+  const auto known = regions_.find({slot, sides});
+  if (known != regions_.end()) return known->second;
+  const auto inside = restriction_.candidate_contains(problem_, slot, x);
+  if (inside) regions_.emplace(std::pair(slot, sides), *inside);
+  return inside;
 }
 
 }  // namespace starcell

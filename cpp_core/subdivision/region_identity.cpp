@@ -136,7 +136,7 @@ class RegionTable {
 
 void add_regions(FacetTable& table, const std::vector<RegionOperand>& regions, double contact, const std::vector<Vec3>& shifts) {
   RegionTable add(table, contact);
-  const auto first = static_cast<std::uint32_t>(table.polyhedra());
+  const auto first = static_cast<std::uint32_t>(table.faceted());
   for (const RegionOperand& region : regions) {
     const std::uint32_t body = first + region.body;
     add.add(region, shifts.empty() ? Vec3(Vec3::Zero()) : shifts[body], body);

@@ -95,14 +95,15 @@ class Side {
     const Vec3 p = grid_.point(stretch_.from);
     const double to = grid_.coordinate(axis, stretch_.from[axis] + stretch_.size);
     for (const std::uint32_t f : problem_.facets)
-      if (segment_crosses(table_, f, axis, p, to)) toggle(event_on(table_.surface[f]), restriction_.slot_of(problem_, f));
+      if (segment_crosses(table_, f, axis, p, to)) toggle(event_on(table_.surface[f]), restriction_.slot_of(problem_, f), candidates_);
   }
 
-  static void toggle(Event& e, std::size_t slot) {
+  // A candidate solid may flip wherever one of its facets is.
+  static void toggle(Event& e, std::size_t slot, Membership candidates = 0) {
     const auto known = std::find(e.slots.begin(), e.slots.end(), slot);
     if (known == e.slots.end())
       e.slots.push_back(slot);
-    else
+    else if (!(candidates >> slot & 1))
       e.slots.erase(known);
   }
 
@@ -225,10 +226,16 @@ class Side {
   const CellProblem& problem_;
   const Stretch stretch_;
   const std::uint64_t whole_;   // its size, in units / 2^finer
+  const Membership candidates_ = problem_.candidates(table_);
   int finer_left_ = most_finer;
   std::vector<Event> events_;
   bool sure_ = true;
 };
+
+GridPoint beyond(int axis, GridPoint from, std::uint32_t size) {
+  from[axis] += size;
+  return from;
+}
 
 }  // namespace
 
@@ -239,16 +246,29 @@ const RimLines::Line& RimLines::line(int axis, const GridPoint& from, std::uint3
   const std::vector<Event> events = Side(restriction_, problem_, {axis, from, size}).events(line.sure);
   std::vector<char> inside = restriction_.membership_at(problem_, from);
   bool value = value_of(problem_.expression, inside);
-  for (const Event& e : events) {
-    for (const std::size_t slot : e.slots) inside[slot] ^= 1;
+  const std::vector<char> at_end = restriction_.membership_at(problem_, beyond(axis, from, size));
+  const Membership candidates = problem_.candidates(restriction_.table());
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const Event& e = events[k];
+    for (const std::size_t slot : e.slots) {
+      if (!(candidates >> slot & 1)) {
+        inside[slot] ^= 1;
+      } else if (k + 1 == events.size()) {
+        inside[slot] = at_end[slot];
+      } else {
+        Vec3 between = place_of(e.crossing, restriction_.grid());
+        between[axis] = 0.5 * (e.high + events[k + 1].low);
+        const auto beside = restriction_.candidate_contains(problem_, slot, between);
+        line.sure = line.sure && beside.has_value();
+        inside[slot] = beside.value_or(inside[slot] != 0);
+      }
+    }
     const bool next = value_of(problem_.expression, inside);
     if (next != value) line.flips.push_back({e.crossing, e.low, e.high, next, 0});
     value = next;
   }
   // What was toggled along the line has to be what its far end says.
-  GridPoint to = from;
-  to[axis] += size;
-  line.sure = line.sure && inside == restriction_.membership_at(problem_, to);
+  line.sure = line.sure && inside == at_end;
   return lines_.emplace_back(std::move(line));
 }
 

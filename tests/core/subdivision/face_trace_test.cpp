@@ -19,7 +19,8 @@ struct Traced {
 void trace(const std::vector<Mesh>& meshes, Op op, Traced& traced) {
   const Scene scene(meshes, op);
   const CellProblem problem = scene.at({4, 4, 4}, 4);
-  traced.arcs = trace_face(scene.restriction, problem, problem.facets, face_of(problem.cell, 0), 1e-6, LocalPlanes(), traced.statistics);
+  RimLines rims(scene.restriction, problem);
+  traced.arcs = trace_face(scene.restriction, problem, problem.facets, face_of(problem.cell, 0), {1e-6, 1e-2}, LocalPlanes(), rims, traced.statistics);
 }
 
 /// Where on the face's plane an arc starts and ends: (axis, coordinate along it, coordinate of the line).

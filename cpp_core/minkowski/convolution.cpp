@@ -1,0 +1,152 @@
+#include "minkowski/convolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "minkowski/normal_tree.h"
+
+namespace starcell {
+namespace {
+
+// Sums of vertices that rounding alone keeps apart are one point, as a share of the coordinates.
+constexpr double same_point = 4e-15;
+// Edges this nearly parallel span no area that their faces do not cover.
+constexpr double parallel = 1e-13;
+
+class Convolving {
+ public:
+  Convolving(const SumOperand& a, const SumOperand& b) : a_(a), b_(b) {}
+
+  Convolution make() {
+    faces_at_vertices(a_, b_, false);
+    faces_at_vertices(b_, a_, true);
+    edges_by_edges();
+    weld();
+    return std::move(result_);
+  }
+
+ private:
+  template <class Items>
+  static NormalTree tree_of(const Items& items) {
+    std::vector<NormalCap> caps;
+    for (const auto& item : items) caps.push_back(item.normals);
+    return NormalTree(std::move(caps));
+  }
+
+  std::uint32_t point(std::uint32_t of_a, std::uint32_t of_b) {
+    const auto [it, fresh] = index_.emplace(std::uint64_t{of_a} << 32 | of_b, static_cast<std::uint32_t>(result_.points.size()));
+    if (fresh) result_.points.push_back(a_.points()[of_a] + b_.points()[of_b]);
+    return it->second;
+  }
+
+  void faces_at_vertices(const SumOperand& faces, const SumOperand& vertices, bool turned) {
+    NormalTree::meeting(tree_of(faces.faces()), tree_of(vertices.vertices()), [&](std::uint32_t i, std::uint32_t j) {
+      ++result_.pairs;
+      const SumOperand::Face& face = faces.faces()[i];
+      const SumOperand::Vertex& vertex = vertices.vertices()[j];
+      if (face.normals.angle < 1 && !vertices.supports(vertex, face.normals.axis)) return;
+      Triangle t;
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t v = faces.facets()[face.facet][k];
+        t[k] = turned ? point(vertex.vertex, v) : point(v, vertex.vertex);
+      }
+      result_.partners.push_back(static_cast<std::uint32_t>(result_.facets.size()));
+      result_.facets.push_back(t);
+    });
+  }
+
+  void edges_by_edges() {
+    NormalTree::meeting(tree_of(a_.edges()), tree_of(b_.edges()), [&](std::uint32_t i, std::uint32_t j) {
+      ++result_.pairs;
+      const SumOperand::Edge &e = a_.edges()[i], &f = b_.edges()[j];
+      const Vec3 along = a_.points()[e.to] - a_.points()[e.from], across = b_.points()[f.to] - b_.points()[f.from];
+      const Vec3 cross = along.cross(across);
+      const double length = cross.norm(), whole = along.norm() * across.norm();
+      if (!(length > parallel * whole)) return;
+      const double slack = 1e-15 * whole / length;
+      for (const double sense : {1.0, -1.0}) {
+        const Vec3 n = sense / length * cross;
+        if (!a_.supports(e, n, slack) || !b_.supports(f, n, slack)) continue;
+        std::uint32_t q[4] = {point(e.from, f.from), point(e.to, f.from), point(e.to, f.to), point(e.from, f.to)};
+        if (sense < 0) std::swap(q[1], q[3]);
+        const auto at = static_cast<std::uint32_t>(result_.facets.size());
+        result_.facets.push_back({q[0], q[1], q[2]});
+        result_.facets.push_back({q[0], q[2], q[3]});
+        result_.partners.push_back(at + 1);
+        result_.partners.push_back(at);
+      }
+    });
+  }
+
+  // Symmetric operands meet in the same sums by different ways. What then is one facet is kept once.
+  void weld() {
+    std::vector<Vec3>& points = result_.points;
+    double scale = 0;
+    for (const Vec3& p : points) scale = std::max(scale, p.cwiseAbs().maxCoeff());
+    const double near = same_point * scale;
+    std::vector<std::uint32_t> order(points.size()), stands(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) order[i] = stands[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      for (int k = 0; k < 3; ++k)
+        if (points[i][k] != points[j][k]) return points[i][k] < points[j][k];
+      return i < j;
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (stands[order[i]] != order[i]) continue;
+      for (std::size_t j = i + 1; j < order.size() && points[order[j]].x() - points[order[i]].x() <= near; ++j)
+        if (stands[order[j]] == order[j] && (points[order[j]] - points[order[i]]).cwiseAbs().maxCoeff() <= near) stands[order[j]] = order[i];
+    }
+    std::vector<std::uint32_t> number(points.size(), UINT32_MAX);
+    std::vector<Vec3> kept;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      if (stands[i] == i) number[i] = static_cast<std::uint32_t>(kept.size()), kept.push_back(points[i]);
+    for (Triangle& t : result_.facets)
+      for (std::uint32_t& v : t) v = number[stands[v]];
+    points = std::move(kept);
+    drop_doubles();
+  }
+
+  void drop_doubles() {
+    const std::size_t n = result_.facets.size();
+    std::vector<std::uint32_t> order(n);
+    std::vector<Triangle> key(n);
+    for (std::uint32_t f = 0; f < n; ++f) {
+      order[f] = f;
+      Triangle t = result_.facets[f];
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());   // the sense stays
+      key[f] = t;
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) { return key[f] != key[g] ? key[f] < key[g] : f < g; });
+    std::vector<char> keep(n, 1);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Triangle& t = key[order[k]];
+      if (t[0] == t[1] || t[1] == t[2] || t[0] == t[2] || (k > 0 && key[order[k - 1]] == t)) keep[order[k]] = 0;
+    }
+    std::vector<std::uint32_t> number(n, UINT32_MAX);
+    std::uint32_t count = 0;
+    for (std::size_t f = 0; f < n; ++f)
+      if (keep[f]) number[f] = count++;
+    std::vector<Triangle> facets;
+    std::vector<std::uint32_t> partners;
+    for (std::size_t f = 0; f < n; ++f) {
+      if (!keep[f]) continue;
+      const std::uint32_t partner = number[result_.partners[f]];
+      partners.push_back(partner == UINT32_MAX ? number[f] : partner);
+      facets.push_back(result_.facets[f]);
+    }
+    result_.facets = std::move(facets);
+    result_.partners = std::move(partners);
+  }
+
+  const SumOperand& a_;
+  const SumOperand& b_;
+  Convolution result_;
+  std::unordered_map<std::uint64_t, std::uint32_t> index_;
+};
+
+}  // namespace
+
+Convolution convolve(const SumOperand& a, const SumOperand& b) { return Convolving(a, b).make(); }
+
+}  // namespace starcell

@@ -1,0 +1,21 @@
+// The facets that can bound a Minkowski sum: the convolution of two operands, as triangles.
+//
+// Rests on Guibas, Ramshaw & Stolfi 1983 and Lien 2008; see sum_operand.h for which features take part. Guarantees: every point of
+// the boundary of A ⊕ B lies on a facet, turned as the boundary is, but for the rounding of a + b to doubles. Pairs of features
+// are found by their normals, so that their number grows with what the normals have in common, not with m·n.
+#pragma once
+
+#include "minkowski/sum_operand.h"
+
+namespace starcell {
+
+struct Convolution {
+  std::vector<Vec3> points;
+  std::vector<Triangle> facets;
+  std::vector<std::uint32_t> partners;   ///< the other half of a parallelogram, or the facet itself
+  std::size_t pairs = 0;                 ///< of features looked at
+};
+
+Convolution convolve(const SumOperand& a, const SumOperand& b);
+
+}  // namespace starcell

@@ -1,0 +1,169 @@
+#include "minkowski/meeting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solids/disjoint_sets.h"
+#include "solids/upward_ray.h"
+
+namespace starcell {
+namespace {
+
+// Crossings at a box's middle that are tried before it is said to be uncertain.
+constexpr int most_prisms = 48;
+
+std::vector<std::uint32_t> shells_of(const SumOperand& mesh) {
+  DisjointSets sets(mesh.points().size());
+  for (const Triangle& t : mesh.facets()) sets.join(sets.root(t[0]), sets.root(t[1])), sets.join(sets.root(t[0]), sets.root(t[2]));
+  std::vector<char> seen(mesh.points().size(), 0);
+  std::vector<std::uint32_t> result;
+  for (const Triangle& t : mesh.facets()) {
+    const std::uint32_t r = sets.root(t[0]);
+    if (!seen[r]) seen[r] = 1, result.push_back(t[0]);
+  }
+  return result;
+}
+
+double largest(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
+
+int sign_beyond(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
+
+}  // namespace
+
+bool is_inside(const SumOperand& mesh, const FacetTree& tree, const Vec3& x) {
+  bool inside = mesh.inside_out();
+  const auto& nodes = tree.nodes();
+  if (nodes.empty()) return inside;
+  std::vector<std::uint32_t> stack{0};
+  while (!stack.empty()) {
+    const FacetTree::Node& node = nodes[stack.back()];
+    stack.pop_back();
+    const Vec3 &low = node.box.min(), &high = node.box.max();
+    // The ray leaves from a point an infinitesimal step aside: what only touches its line may be above it.
+    if (x.x() < low.x() || x.x() > high.x() || x.y() < low.y() || x.y() > high.y() || x.z() > high.z()) continue;
+    if (node.child != 0) {
+      stack.push_back(node.child);
+      stack.push_back(node.child + 1);
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.last; ++k) {
+      const Triangle& t = mesh.facets()[tree.order()[k]];
+      if (is_above(mesh.points()[t[0]], mesh.points()[t[1]], mesh.points()[t[2]], x)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+Meeting::Meeting(const SumOperand& a, const SumOperand& b)
+    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
+  // x is of the size of a + b where it matters; x - b and its difference from a round a few times at most.
+  const double size = std::max(largest(a.box().min()), largest(a.box().max())) + std::max(largest(b.box().min()), largest(b.box().max()));
+  rounding_ = 16 * 1.1102230246251565e-16 * size;
+}
+
+// The volumes of the tetrahedra between segment and triangle, with a bound on their rounding: of three lengths, each known to
+// `rounding_`, in products of six terms.
+Meeting::Answer Meeting::crosses(const std::array<Vec3, 3>& triangle, const Vec3& s, const Vec3& t) const {
+  const Vec3 p = triangle[0] - s, q = triangle[1] - s, r = triangle[2] - s;
+  const Vec3 d = t - s;
+  const Vec3 u = q - p, v = r - p;
+  const Vec3 n = u.cross(v);
+  const double reach = std::max({largest(p), largest(q), largest(r), largest(d)});
+  const double base = std::max(largest(u), largest(v));
+  const double error = 24 * rounding_ * base * (base + reach);
+  const double at_s = -n.dot(p), at_t = n.dot(d) + at_s;
+  const int side_s = sign_beyond(at_s, error), side_t = sign_beyond(at_t, error);
+  if (side_s * side_t > 0) return Answer::no;
+  const double around = 24 * rounding_ * reach * reach;
+  const int a = sign_beyond(d.dot(p.cross(q)), around), b = sign_beyond(d.dot(q.cross(r)), around);
+  if (a * b < 0) return Answer::no;
+  const int c = sign_beyond(d.dot(r.cross(p)), around);
+  if (a * c < 0 || b * c < 0) return Answer::no;
+  return side_s * side_t < 0 && a != 0 && a == b && a == c ? Answer::yes : Answer::unknown;
+}
+
+template <class Visit>
+bool Meeting::facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool& uncertain, Visit& visit) const {
+  const Triangle &of_a = a_.facets()[f], &of_b = b_.facets()[g];
+  const auto corners = [](const SumOperand& mesh, const Triangle& t) { return std::array<Vec3, 3>{mesh.points()[t[0]], mesh.points()[t[1]], mesh.points()[t[2]]}; };
+  const std::array<Vec3, 3> fixed = corners(a_, of_a);
+  std::array<Vec3, 3> moved = corners(b_, of_b);
+  for (Vec3& p : moved) p = x - p;
+  for (int k = 0; k < 3; ++k) {
+    // Every edge belongs to two facets: one of its two directions is looked at.
+    const int l = (k + 1) % 3;
+    if (of_b[k] < of_b[l]) {
+      const Answer answer = crosses(fixed, moved[k], moved[l]);
+      if (answer == Answer::unknown) uncertain = true;
+      if (answer == Answer::yes && visit(f, of_b[k], of_b[l], true)) return true;
+    }
+    if (of_a[k] < of_a[l]) {
+      const Answer answer = crosses(moved, fixed[k], fixed[l]);
+      if (answer == Answer::unknown) uncertain = true;
+      if (answer == Answer::yes && visit(g, of_a[k], of_a[l], false)) return true;
+    }
+  }
+  return false;
+}
+
+template <class Visit>
+bool Meeting::crossings(const Vec3& x, Visit visit) const {
+  const auto &nodes_a = tree_a_.nodes(), &nodes_b = tree_b_.nodes();
+  if (nodes_a.empty() || nodes_b.empty()) return false;
+  bool uncertain = false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [i, j] = stack.back();
+    stack.pop_back();
+    const FacetTree::Node &m = nodes_a[i], &n = nodes_b[j];
+    if (((x - n.box.max() - m.box.max()).array() > rounding_).any() || ((m.box.min() - x + n.box.min()).array() > rounding_).any()) continue;
+    if (m.child == 0 && n.child == 0) {
+      for (std::uint32_t k = m.first; k < m.last; ++k)
+        for (std::uint32_t l = n.first; l < n.last; ++l)
+          if (facets_cross(tree_a_.order()[k], tree_b_.order()[l], x, uncertain, visit)) return uncertain;
+    } else if (n.child == 0 || (m.child != 0 && m.last - m.first >= n.last - n.first)) {
+      stack.emplace_back(m.child, j);
+      stack.emplace_back(m.child + 1, j);
+    } else {
+      stack.emplace_back(i, n.child);
+      stack.emplace_back(i, n.child + 1);
+    }
+  }
+  return uncertain;
+}
+
+// With boundaries apart. (x - b is rounded, by less than what keeps the boundaries apart.)
+bool Meeting::contained(const Vec3& x) const {
+  for (const std::uint32_t v : shells_b_)
+    if (is_inside(a_, tree_a_, x - b_.points()[v])) return true;
+  for (const std::uint32_t v : shells_a_)
+    if (is_inside(b_, tree_b_, x - a_.points()[v])) return true;
+  return false;
+}
+
+std::optional<bool> Meeting::at(const Vec3& x) const {
+  bool yes = false;
+  const bool uncertain = crossings(x, [&](std::uint32_t, std::uint32_t, std::uint32_t, bool) { return yes = true; });
+  if (yes) return true;
+  if (uncertain) return std::nullopt;
+  return contained(x);
+}
+
+bool Meeting::throughout(const Box3& box) const {
+  bool found = false;
+  int tried = 0;
+  crossings(box.center(), [&](std::uint32_t facet, std::uint32_t from, std::uint32_t to, bool of_a) {
+    found = true;
+    const std::vector<Vec3> &p = a_.points(), &q = b_.points();
+    const Triangle& t = of_a ? a_.facets()[facet] : b_.facets()[facet];
+    for (int corner = 0; corner < 8 && found; ++corner) {
+      const Vec3 x = box.corner(static_cast<Box3::CornerType>(corner));
+      found = (of_a ? crosses({p[t[0]], p[t[1]], p[t[2]]}, x - q[from], x - q[to])
+                    : crosses({x - q[t[0]], x - q[t[1]], x - q[t[2]]}, p[from], p[to])) == Answer::yes;
+    }
+    return found || ++tried >= most_prisms;
+  });
+  return found;
+}
+
+}  // namespace starcell

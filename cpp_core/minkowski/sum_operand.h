@@ -1,0 +1,78 @@
+// An operand of a Minkowski sum: a mesh, perhaps reflected in the origin or turned inside out, and what of it can bound a sum.
+//
+// ∂(A ⊕ B) is part of the convolution (Guibas, Ramshaw & Stolfi 1983; Lien 2008; Campen & Kobbelt 2010): faces of one operand placed
+// at vertices of the other, and parallelograms of two edges, wherever both features have an outward normal in common. A feature's
+// *normals* are the directions in which its operand is, near the feature, nowhere higher: one of a face, an arc of a convex edge, a
+// polyhedral cone of a vertex. Reflex edges have none, saddles of vertices neither: they never bound a sum, because what lies beside
+// them reaches over them. Features of a flat face's inside have those of the face alone, and the face stands for them.
+// Guarantees: every normal of a feature is within its cap; a feature that is left out has none of its own.
+#pragma once
+
+#include "solids/polyhedron.h"
+
+namespace starcell {
+
+/// All unit vectors within `angle` of the axis.
+struct NormalCap {
+  Vec3 axis = Vec3::UnitZ();
+  double angle = 0;   ///< radians; at least pi: every direction
+};
+
+/// How an operand stands in the sum.
+struct Placement {
+  bool reflected = false;    ///< -P
+  bool inside_out = false;   ///< the complement of P
+};
+
+class SumOperand {
+ public:
+  SumOperand(PolyhedronPtr solid, const Placement& placement);
+
+  struct Edge {
+    std::uint32_t from, to;        ///< vertices
+    std::uint32_t left, right;     ///< the third corners of the faces beside it
+    NormalCap normals;
+  };
+  struct Vertex {
+    std::uint32_t vertex;
+    std::uint32_t first, last;     ///< its neighbours are links()[first] .. links()[last - 1]
+    NormalCap normals;
+  };
+  struct Face {
+    std::uint32_t facet;
+    NormalCap normals;
+  };
+
+  const std::vector<Vec3>& points() const { return points_; }
+  const std::vector<Triangle>& facets() const { return facets_; }
+  const std::vector<Face>& faces() const { return faces_; }
+  const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const std::vector<std::uint32_t>& links() const { return links_; }
+  /// Of the whole operand, as it stands.
+  const Box3& box() const { return box_; }
+  bool inside_out() const { return inside_out_; }
+
+  /// Is the operand nowhere higher than the vertex along n, as far as its edges there go? Conservatively true.
+  bool supports(const Vertex& v, const Vec3& n) const;
+  /// The same of an edge and its faces.
+  bool supports(const Edge& e, const Vec3& n, double slack) const;
+
+ private:
+  void find_edges(const std::vector<Triangle>& neighbours);
+  void find_vertices(const std::vector<Triangle>& neighbours);
+
+  bool inside_out_;
+  std::vector<Vec3> points_;
+  std::vector<Triangle> facets_;
+  std::vector<Face> faces_;
+  std::vector<Edge> edges_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint32_t> links_;
+  Box3 box_;
+};
+
+/// The angle between two vectors, accurate for small ones too.
+double angle_between(const Vec3& u, const Vec3& v);
+
+}  // namespace starcell
