@@ -55,10 +55,31 @@ bool is_inside(const SumOperand& mesh, const FacetTree& tree, const Vec3& x) {
 }
 
 Meeting::Meeting(const SumOperand& a, const SumOperand& b)
-    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
+    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), planes_a_(planes_of(a)), planes_b_(planes_of(b)), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
   // x is of the size of a + b where it matters; x - b and its difference from a round a few times at most.
   const double size = std::max(largest(a.box().min()), largest(a.box().max())) + std::max(largest(b.box().min()), largest(b.box().max()));
   rounding_ = 16 * 1.1102230246251565e-16 * size;
+}
+
+std::vector<Meeting::Plane> Meeting::planes_of(const SumOperand& mesh) {
+  std::vector<Plane> planes;
+  for (const Triangle& t : mesh.facets()) {
+    const Vec3 u = mesh.points()[t[1]] - mesh.points()[t[0]], v = mesh.points()[t[2]] - mesh.points()[t[0]];
+    planes.push_back({u.cross(v), std::max(largest(u), largest(v))});
+  }
+  return planes;
+}
+
+// Rounded as in crosses().
+bool Meeting::beside(const Plane& plane, const Vec3& p, const std::array<Vec3, 3>& points) const {
+  int side = 0;
+  for (const Vec3& q : points) {
+    const Vec3 d = q - p;
+    const int s = sign_beyond(plane.normal.dot(d), 24 * rounding_ * plane.base * (plane.base + largest(d)));
+    if (s == 0 || s == -side) return false;
+    side = s;
+  }
+  return true;
 }
 
 // The volumes of the tetrahedra between segment and triangle, with a bound on their rounding: of three lengths, each known to
@@ -89,6 +110,7 @@ bool Meeting::facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool
   const std::array<Vec3, 3> fixed = corners(a_, of_a);
   std::array<Vec3, 3> moved = corners(b_, of_b);
   for (Vec3& p : moved) p = x - p;
+  if (beside(planes_a_[f], fixed[0], moved) || beside(planes_b_[g], moved[0], fixed)) return false;
   for (int k = 0; k < 3; ++k) {
     // Every edge belongs to two facets: one of its two directions is looked at.
     const int l = (k + 1) % 3;
@@ -111,7 +133,9 @@ bool Meeting::crossings(const Vec3& x, Visit visit) const {
   const auto &nodes_a = tree_a_.nodes(), &nodes_b = tree_b_.nodes();
   if (nodes_a.empty() || nodes_b.empty()) return false;
   bool uncertain = false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+  thread_local std::vector<std::pair<std::uint32_t, std::uint32_t>> reused;
+  auto& stack = reused;
+  stack.assign(1, {0, 0});
   while (!stack.empty()) {
     const auto [i, j] = stack.back();
     stack.pop_back();

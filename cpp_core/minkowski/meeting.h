@@ -26,6 +26,15 @@ class Meeting {
   bool throughout(const Box3& box) const;
 
  private:
+  /// A facet's plane, up to length.
+  struct Plane {
+    Vec3 normal;
+    double base;   ///< how long its edges are at most, along any axis
+  };
+  static std::vector<Plane> planes_of(const SumOperand& mesh);
+  /// Certainly all three points on one side of the plane through p?
+  bool beside(const Plane& plane, const Vec3& p, const std::array<Vec3, 3>& points) const;
+
   enum class Answer { no, yes, unknown };
   /// Does the segment from s to t cross the triangle?
   Answer crosses(const std::array<Vec3, 3>& triangle, const Vec3& s, const Vec3& t) const;
@@ -39,6 +48,7 @@ class Meeting {
   const SumOperand& a_;
   const SumOperand& b_;
   FacetTree tree_a_, tree_b_;
+  std::vector<Plane> planes_a_, planes_b_;
   std::vector<std::uint32_t> shells_a_, shells_b_;   // a vertex of every boundary component
   double rounding_;                                  // of any coordinate's difference
 };

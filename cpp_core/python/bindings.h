@@ -53,6 +53,7 @@ void bind_expressions(py::class_<Expression>& solid, py::module_& module);
 void bind_certificate(py::module_& module);
 void bind_operations(py::module_& module);
 void bind_inspection(py::module_& module);
+void bind_penetration_depth(py::module_& module);
 
 /// Raises UnresolvedError with the result as its attribute.
 [[noreturn]] void raise_unresolved(const py::object& result, const Certificate& certificate);

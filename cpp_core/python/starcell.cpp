@@ -1,4 +1,4 @@
-// The Python module `starcell`. A concept a file: exceptions, solids, expressions, certificate, operations, inspection.
+// The Python module `starcell`. A concept a file: exceptions, solids, expressions, certificate, operations, inspection, penetration depth.
 #include "bindings.h"
 
 PYBIND11_MODULE(starcell, module) {
@@ -14,4 +14,5 @@ PYBIND11_MODULE(starcell, module) {
   bind_curved_solids(module);
   bind_operations(module);
   bind_inspection(module);
+  bind_penetration_depth(module);
 }

@@ -117,6 +117,8 @@ bool Acceptance::hopeless(const CellProblem& problem, const Box3& box) const {
   if (problem.slots() > max_slots) return true;
   if (std::isinf(settings_.error) || problem.facets.size() <= many_facets || small_enough(box)) return false;
   const FacetTable& table = restriction_.table();
+  // Candidates come by the dozen on every plane, and V-planes does not mind.
+  if (problem.candidates(table) != 0 && surfaces_of(table, problem.facets).size() <= max_cell_planes) return false;
   const std::size_t step = problem.facets.size() / many_facets + 1;
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < problem.facets.size(); i += step) sum += table.area_vector(problem.facets[i]);
