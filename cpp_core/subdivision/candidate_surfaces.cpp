@@ -14,7 +14,7 @@ using Key = std::array<int, 3>;
 
 }  // namespace
 
-void find_candidate_surfaces(FacetTable& table, std::uint32_t first, std::uint32_t last, double exact, double tolerance) {
+void find_candidate_surfaces(FacetTable& table, std::uint32_t first, std::uint32_t last, double tolerance) {
   const std::size_t n = last - first;
   std::vector<Vec3> normal(n);
   std::vector<double> area(n);
@@ -45,9 +45,7 @@ void find_candidate_surfaces(FacetTable& table, std::uint32_t first, std::uint32
             if (at == unassigned.end()) continue;
             std::erase_if(at->second, [&](std::uint32_t f) {
               if (table.surface[first + f] != UINT32_MAX) return true;
-              const double far = table.distance(plane, first + f);
-              if (f != seed && far > tolerance) return false;
-              plane.shared = plane.shared || far > exact;
+              if (f != seed && table.distance(plane, first + f) > tolerance) return false;
               table.surface[first + f] = id;
               return true;
             });

@@ -5,9 +5,18 @@
 #include <limits>
 
 #include "numerics/predicates.h"
+#include "subdivision/candidate_regions.h"
 #include "subdivision/grid_line.h"
 
 namespace starcell {
+namespace {
+
+std::uint64_t fresh_name() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+}  // namespace
 
 std::uint32_t Restriction::slot_of(const CellProblem& problem, std::uint32_t facet) const {
   const auto& solids = problem.expression.solids();
@@ -22,6 +31,22 @@ Membership CellProblem::candidates(const FacetTable& table) const {
   for (std::size_t slot = 0; slot < std::min(slots(), max_slots); ++slot)
     if (table.candidate(expression.solids()[slot])) mask |= Membership{1} << slot;
   return mask;
+}
+
+Restriction::Restriction(const FacetTable& table, const Grid& grid) : table_(table), grid_(grid), name_(fresh_name()) {}
+
+// A cell's questions come one after the other in one thread: what was learned of its regions is kept until another cell's come.
+std::optional<bool> Restriction::candidate_contains(const CellProblem& problem, std::size_t slot, const Vec3& x) const {
+  struct Last {
+    std::uint64_t restriction = 0;
+    std::optional<CandidateRegions> regions;
+  };
+  thread_local Last last;
+  if (last.restriction != name_ || !last.regions || !last.regions->are_of(problem)) {
+    last.restriction = name_;
+    last.regions.emplace(table_, grid_, problem);
+  }
+  return last.regions->contains(slot, x);
 }
 
 State Restriction::candidate_state(const CellProblem& problem, std::size_t slot, const Box3& box, bool any) const {

@@ -33,7 +33,7 @@ struct CellProblem {
 
 class Restriction {
  public:
-  Restriction(const FacetTable& table, const Grid& grid) : table_(table), grid_(grid) {}
+  Restriction(const FacetTable& table, const Grid& grid);
 
   const FacetTable& table() const { return table_; }
   const Grid& grid() const { return grid_; }
@@ -56,9 +56,7 @@ class Restriction {
   /// A region's surface as the cell has it; null: a plane.
   const SmoothSurface* form_of(const CellProblem& problem, std::size_t slot) const;
   /// Is the point inside the candidate solid? None: that is uncertain.
-  std::optional<bool> candidate_contains(const CellProblem& problem, std::size_t slot, const Vec3& x) const {
-    return table_.candidate_contains(problem.expression.solids()[slot], x);
-  }
+  std::optional<bool> candidate_contains(const CellProblem& problem, std::size_t slot, const Vec3& x) const;
   /// Did a grid point lie on a region's or a candidate solid's surface, as far as can be told? Another grid has to be tried.
   bool grid_grazes() const { return grazes_.load(std::memory_order_relaxed); }
 
@@ -84,6 +82,7 @@ class Restriction {
 
   const FacetTable& table_;
   const Grid& grid_;
+  const std::uint64_t name_;   // no other restriction has had it
   mutable std::atomic<bool> grazes_{false};
 };
 

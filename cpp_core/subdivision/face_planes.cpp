@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "numerics/predicates.h"
 
@@ -154,7 +153,6 @@ class Arrangement {
   std::optional<bool> flips_at(int i, std::size_t slot, const Vec2& at) {
     const auto value = [&](const FaceLine& line, const Vec2& p) { return line.nb * p.x + line.nc * p.y - line.d; };
     std::array<Vec2, 2> beside;
-    std::array<std::uint64_t, 2> region{};
     {
       const Rounding rounding;
       double room = std::min({at.x, at.y, face_.size - at.x, face_.size - at.y});
@@ -168,20 +166,14 @@ class Arrangement {
         for (int j = 0; j < static_cast<int>(lines_.size()); ++j) {
           const int sign = certain_sign(value(lines_[j], p));
           if (sign == 0 || (j == i && sign != (sense ? 1 : -1))) return std::nullopt;
-          if (sign > 0) region[sense] |= std::uint64_t{1} << j;
         }
       }
     }
     std::array<bool, 2> inside;
     for (const int sense : {0, 1}) {
-      const std::pair key(slot, region[sense]);
-      auto known = regions_.find(key);
-      if (known == regions_.end()) {
-        const auto told = in_.restriction.candidate_contains(in_.problem, slot, in_space(beside[sense]));
-        if (!told) return std::nullopt;
-        known = regions_.emplace(key, *told).first;
-      }
-      inside[sense] = known->second;
+      const auto told = in_.restriction.candidate_contains(in_.problem, slot, in_space(beside[sense]));
+      if (!told) return std::nullopt;
+      inside[sense] = *told;
     }
     return inside[0] != inside[1];
   }
@@ -329,7 +321,6 @@ class Arrangement {
   std::vector<std::vector<int>> next_;   // per sub-segment, +1: E runs start -> end, -1: back, 0: not E
   std::vector<std::vector<char>> seen_;
   std::vector<Vec2i> points_;
-  std::map<std::pair<std::size_t, std::uint64_t>, bool> regions_;   // membership in candidate solids, by slot and sides of lines
 };
 
 }  // namespace

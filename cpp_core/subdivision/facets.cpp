@@ -167,7 +167,7 @@ FacetTable gather_facets(const std::vector<PolyhedronPtr>& operands, double cont
   const double scale = magnitude(table.points);
   const double tolerance = std::max(contact, rounding_scale * scale);
   for (std::uint32_t k = polyhedra; k < table.faceted(); ++k)
-    find_candidate_surfaces(table, table.first[k], table.first[k + 1], rounding_scale * scale, tolerance);
+    find_candidate_surfaces(table, table.first[k], table.first[k + 1], rounding_scale * scale);
   if (table.faceted() > 1) {
     const std::vector<FacetPair> pairs = near_facets(table, tolerance);
     identify_surfaces(table, pairs, tolerance);

@@ -363,14 +363,12 @@ bool PlaneArrangement::candidates_beside(const PlanePolygon& polygon, const Vec3
       }
     }
   }
-  std::vector<signed char> sides = polygon.side;
   for (std::size_t slot = 0; slot < problem_.slots(); ++slot) {
     const Membership bit = Membership{1} << slot;
     if (!(candidates & bit)) continue;
     std::array<bool, 2> inside;
     for (const int sense : {0, 1}) {
-      sides[polygon.plane] = sense ? 1 : -1;
-      const auto known = candidate_at(slot, sides, beside[sense] + box_.min());
+      const auto known = restriction_.candidate_contains(problem_, slot, beside[sense] + box_.min());
       if (!known) return false;
       inside[sense] = *known;
     }
@@ -379,15 +377,6 @@ bool PlaneArrangement::candidates_beside(const PlanePolygon& polygon, const Vec3
     if (inside[corner_sign_[polygon.plane] > 0]) around |= bit;
   }
   return true;
-}
-
-// Membership is constant on a region of the arrangement, which its planes' sides name.
-std::optional<bool> PlaneArrangement::candidate_at(std::size_t slot, const std::vector<signed char>& sides, const Vec3& x) {
-  const auto known = regions_.find({slot, sides});
-  if (known != regions_.end()) return known->second;
-  const auto inside = restriction_.candidate_contains(problem_, slot, x);
-  if (inside) regions_.emplace(std::pair(slot, sides), *inside);
-  return inside;
 }
 
 }  // namespace starcell

@@ -73,7 +73,6 @@ class PlaneArrangement {
   bool certainly_inside(const PlanePolygon& polygon, const Vec3& middle);
   Membership covering(int plane, const Vec3& x) const;
   bool candidates_beside(const PlanePolygon& polygon, const Vec3& middle, Membership& around, Membership& flips);
-  std::optional<bool> candidate_at(std::size_t slot, const std::vector<signed char>& sides, const Vec3& x);
   std::uint32_t surface_of(std::uint32_t facet) const { return local_.of(restriction_.table().surface[facet]); }
 
   const Restriction& restriction_;
@@ -90,7 +89,6 @@ class PlaneArrangement {
   std::vector<int> point_star_;   // which star's vertex a point is, or -1
   std::vector<PointName> names_;
   std::vector<PlanePolygon> polygons_;
-  std::map<std::pair<std::size_t, std::vector<signed char>>, bool> regions_;   // membership in candidate solids, by slot and sides of planes
 };
 
 }  // namespace starcell

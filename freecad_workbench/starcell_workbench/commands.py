@@ -12,6 +12,7 @@ class OperationCommand:
     def __init__(self, operation):
         self.operation = operation
         self.least = sum(role.least for role in operation.roles)
+        self.most = len(operation.roles)
         self.many = any(role.many for role in operation.roles)
 
     def GetResources(self):
@@ -25,7 +26,7 @@ class OperationCommand:
         return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog() and self.takes(len(selected()))
 
     def takes(self, count):
-        return count >= self.least if self.many else count == self.least
+        return count >= self.least if self.many else self.least <= count <= self.most
 
     def Activated(self):
         objects = selected()

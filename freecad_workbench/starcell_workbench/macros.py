@@ -10,6 +10,7 @@ import FreeCAD
 
 from . import lengths
 from .boolean_feature import Cut, Intersection, Union
+from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .operation_feature import recompute
 from .rescue_feature import Rescue
@@ -52,19 +53,31 @@ def make_shell(obj, thickness, error=None, contact=None, label=None, document=No
                             OpenFaces=list(open_faces))
 
 
-def make_erode(obj, radius, error=None, contact=None, label=None, document=None):
-    """What of `obj` is farther than `radius` from its surface."""
-    return _make_morphology(Erode, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
+def make_erode(obj, element, error=None, contact=None, label=None, document=None):
+    """What of `obj` is farther than a radius from its surface; or, `element` being an object, where that fits into `obj`."""
+    return _make_with_element(Erode, obj, element, error, contact, label, document)
 
 
-def make_opening(obj, radius, error=None, contact=None, label=None, document=None):
-    """`obj` with convex edges rounded by `radius`, without what is thinner than twice that."""
-    return _make_morphology(Opening, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
+def make_opening(obj, element, error=None, contact=None, label=None, document=None):
+    """`obj` with convex edges rounded by a radius, without what is thinner than twice that; or all that an object covers in it."""
+    return _make_with_element(Opening, obj, element, error, contact, label, document)
 
 
-def make_closing(obj, radius, error=None, contact=None, label=None, document=None):
-    """`obj` with concave edges rounded by `radius`, and what is narrower than twice that filled."""
-    return _make_morphology(Closing, obj, "Radius", lengths.parse_positive(radius, "radius"), error, contact, label, document)
+def make_closing(obj, element, error=None, contact=None, label=None, document=None):
+    """`obj` with concave edges rounded by a radius, and what is narrower than twice that, or than an object, filled."""
+    return _make_with_element(Closing, obj, element, error, contact, label, document)
+
+
+def make_minkowski_sum(obj, element, error=None, contact=None, label=None, document=None):
+    """`obj` swept by `element`: all sums of a point of one and a point of the other, both as they stand in the document."""
+    return make(MinkowskiSum, {"Source": obj, "Element": element}, error, contact, label, document)
+
+
+def _make_with_element(operation, obj, element, error, contact, label, document):
+    if _is_object(element):
+        return make(operation, {"Source": obj, "Element": element}, error, contact, label, document)
+    radius = lengths.parse_positive(element, "element")
+    return make(operation, {"Source": obj, "Element": None}, error, contact, label, document, Radius=radius)
 
 
 def _make_morphology(operation, obj, name, amount, error, contact, label, document, **others):
@@ -118,7 +131,7 @@ def make(operation, given, error=None, contact=None, label=None, document=None, 
     if container:
         container.addObject(obj)
     for role in operation.roles:
-        setattr(obj, role.name, links[role.name] if role.many else links[role.name][0])
+        setattr(obj, role.name, links[role.name] if role.many else next(iter(links[role.name]), None))
     for name, value in values.items():
         setattr(obj, name, value)
     obj.Error = error or 0
@@ -146,16 +159,16 @@ def _check_links(operation, given):
     links = {}
     for role in operation.roles:
         value = given[role.name]
-        objects = [value] if _is_object(value) else value
+        objects = [value] if _is_object(value) else [] if value is None and role.least == 0 else value
         if isinstance(objects, str) or not hasattr(objects, "__iter__"):
             raise TypeError("{}: expected document objects, not {!r}.".format(role.name, value))
         objects = list(objects)
         for each in objects:
             if not _is_object(each):
                 raise TypeError("{}: expected document objects, not {!r}.".format(role.name, each))
-        if len(objects) < role.least or not role.many and len(objects) != 1:
+        if len(objects) < role.least or not role.many and len(objects) > 1:
             raise ValueError("{}: expected {} {}, got {}.".format(
-                role.name, "at least" if role.many else "exactly", role.least, len(objects)))
+                role.name, "at least" if role.many else "exactly" if role.least else "at most", max(role.least, not role.many), len(objects)))
         links[role.name] = objects
     return links
 

@@ -1,4 +1,4 @@
-"""Offset, shell, opening and closing (T§4.2): morphology of one solid with a ball."""
+"""Offset and shell (T§4.2), erosion, opening and closing (T§1.2): morphology of one solid with a ball, or with another solid."""
 import FreeCAD
 
 from . import operands, wall_findings
@@ -93,10 +93,30 @@ def _numbers(names, last):
     return numbers
 
 
-class Erode(_Morphology):
+class _WithElement(_Morphology):
+    """With a ball, or with any solid: `Element` counts before `Radius`."""
+    roles = _Morphology.roles + (Role("Element", QT_TRANSLATE_NOOP(
+        "App::Property", "The solid to work with, as it stands in the document; none: a ball about the origin"), many=False, least=0),)
+
+    def compute(self, starcell, solids, values, options):
+        element = solids["Element"]
+        return getattr(starcell, self.call)(solids["Source"], values["Radius"] if element is None else element, **options)
+
+    def examine(self, starcell, solids, values, result, options):
+        # Walls too thin for a solid that is no ball are not looked for.
+        return super().examine(starcell, solids, values, result, options) if solids["Element"] is None else None
+
+    def published(self, obj, result, findings):
+        super().published(obj, result, findings or wall_findings.WallFindings(0.0, False))
+
+    def reach(self, boxes):
+        return boxes["Source"]
+
+
+class Erode(_WithElement):
     command = "StarCell_Erode"
     title = QT_TRANSLATE_NOOP("StarCell", "Erode")
-    help = QT_TRANSLATE_NOOP("StarCell", "Keeps what of a solid is farther than a radius from its surface")
+    help = QT_TRANSLATE_NOOP("StarCell", "Keeps what of a solid is farther than a radius from its surface, or where a second solid fits into it")
     call = "erode"
     parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the ball"), default=1.0),)
 
@@ -104,10 +124,11 @@ class Erode(_Morphology):
         return -amount
 
 
-class Opening(_Morphology):
+class Opening(_WithElement):
     command = "StarCell_Opening"
     title = QT_TRANSLATE_NOOP("StarCell", "Opening")
-    help = QT_TRANSLATE_NOOP("StarCell", "Rounds convex edges with a constant radius, and removes what is thinner than twice that")
+    help = QT_TRANSLATE_NOOP("StarCell", "Rounds convex edges with a constant radius, and removes what is thinner than twice that, or where a second "
+                                         "solid does not fit")
     call = "opening"
     counts_parts = False
     parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the rounding"), default=1.0),)
@@ -116,10 +137,10 @@ class Opening(_Morphology):
         return -amount
 
 
-class Closing(_Morphology):
+class Closing(_WithElement):
     command = "StarCell_Closing"
     title = QT_TRANSLATE_NOOP("StarCell", "Closing")
-    help = QT_TRANSLATE_NOOP("StarCell", "Rounds concave edges with a constant radius, and fills what is narrower than twice that")
+    help = QT_TRANSLATE_NOOP("StarCell", "Rounds concave edges with a constant radius, and fills what is narrower than twice that, or than a second solid")
     call = "closing"
     counts_parts = False
     parameters = (Parameter("Radius", "App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Radius of the rounding"), default=1.0),)

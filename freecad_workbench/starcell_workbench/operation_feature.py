@@ -22,7 +22,7 @@ TESSELLATION_SHARE = 0.25
 
 @dataclass(frozen=True)
 class Role:
-    """A property that links operands: one object, or a list of at least `least`."""
+    """A property that links operands: one object (or, if `least` is 0, none), or a list of at least `least`."""
     name: str
     help: str
     many: bool = True
@@ -66,7 +66,7 @@ class OperationFeature(Stateless):
         """A box that the result will not leave, from {role: box or list of boxes}: it sets the automatic error."""
         whole = FreeCAD.BoundBox()
         for role in self.roles:
-            for box in boxes[role.name] if role.many else [boxes[role.name]]:
+            for box in boxes[role.name] if role.many else filter(None, [boxes[role.name]]):
                 whole.add(box)
         return whole
 
@@ -173,7 +173,7 @@ class OperationFeature(Stateless):
                 raise operands.OperandError(translate("StarCell", "{} needs at least {} object(s), and has {}.").format(
                     role.name, role.least, len(objects)))
             gathered = [self.gather(each, obj, chosen, folder) for each in objects]
-            given[role.name] = gathered if role.many else gathered[0]
+            given[role.name] = gathered if role.many else next(iter(gathered), None)
         return given
 
     def _keep_frames(self, obj):
@@ -209,7 +209,10 @@ def recompute(obj):
 
 def _over(given, function):
     """`function` of every Operand in {role: Operand or list of Operands}."""
-    return {name: [function(each) for each in value] if isinstance(value, list) else function(value) for name, value in given.items()}
+    def of(value):
+        return [function(each) for each in value] if isinstance(value, list) else None if value is None else function(value)
+
+    return {name: of(value) for name, value in given.items()}
 
 
 def _plain(value):

@@ -1,6 +1,7 @@
 """Every operation of the workbench, in the order of menu and toolbar. A new one is its class, and its name here."""
 from .boolean_feature import Cut, Intersection, Union
+from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .rescue_feature import Rescue
 
-ALL = (Union, Cut, Intersection, Rescue, Offset, Shell, Erode, Opening, Closing)
+ALL = (Union, Cut, Intersection, Rescue, Offset, Shell, MinkowskiSum, Erode, Opening, Closing)

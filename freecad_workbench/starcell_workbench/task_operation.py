@@ -156,9 +156,9 @@ class OperationTask:
         roles = list(self.feature.roles)
         for row in self._rows():
             each = self.obj.Document.getObject(row.data(QtCore.Qt.UserRole))
-            name = "" if len(self.feature.roles) == 1 else "   ({})".format(roles[0].name)
+            name = "" if len(self.feature.roles) == 1 or not roles else "   ({})".format(roles[0].name)
             row.setText(each.Label + name)
-            if not roles[0].many:
+            if roles and not roles[0].many:
                 roles.pop(0)
 
     def select_in_view(self):
