@@ -1,7 +1,6 @@
 #include "minkowski/meeting.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "solids/disjoint_sets.h"
@@ -12,15 +11,6 @@ namespace {
 
 // Crossings at a box's middle that are tried before it is said to be uncertain.
 constexpr int most_prisms = 48;
-// The list costs as much as a few points do.
-constexpr int worth_listing = 4;
-// Pairs that are listed for a box; of a larger box a tree finds those of a point faster.
-constexpr std::size_t most_near = 4096;
-
-std::uint64_t fresh_name() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
 
 std::vector<std::uint32_t> shells_of(const SumOperand& mesh) {
   DisjointSets sets(mesh.points().size());
@@ -65,7 +55,7 @@ bool is_inside(const SumOperand& mesh, const FacetTree& tree, const Vec3& x) {
 }
 
 Meeting::Meeting(const SumOperand& a, const SumOperand& b)
-    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), planes_a_(planes_of(a)), planes_b_(planes_of(b)), shells_a_(shells_of(a)), shells_b_(shells_of(b)), name_(fresh_name()) {
+    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), planes_a_(planes_of(a)), planes_b_(planes_of(b)), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
   // x is of the size of a + b where it matters; x - b and its difference from a round a few times at most.
   const double size = std::max(largest(a.box().min()), largest(a.box().max())) + std::max(largest(b.box().min()), largest(b.box().max()));
   rounding_ = 16 * 1.1102230246251565e-16 * size;
@@ -166,73 +156,6 @@ bool Meeting::crossings(const Vec3& x, Visit visit) const {
   return uncertain;
 }
 
-// For all x of the box: center +- reach.
-bool Meeting::may_cross(std::uint32_t f, std::uint32_t g, const Vec3& center, const Vec3& reach) const {
-  const Triangle &of_a = a_.facets()[f], &of_b = b_.facets()[g];
-  const std::vector<Vec3> &p = a_.points(), &q = b_.points();
-  // Differences x - b - a at the center, for all pairs of corners: what the two planes, and the axes, say of them.
-  const auto all_beside = [&](const Plane& plane, auto difference) {
-    const double room = plane.normal.cwiseAbs().dot(reach);
-    bool above = true, below = true;
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 d = difference(k);
-      const double at = plane.normal.dot(d), error = room + 24 * rounding_ * plane.base * (plane.base + largest(d) + largest(reach));
-      above = above && at > error;
-      below = below && at < -error;
-    }
-    return above || below;
-  };
-  return !all_beside(planes_a_[f], [&](int k) { return Vec3(center - q[of_b[k]] - p[of_a[0]]); }) &&
-         !all_beside(planes_b_[g], [&](int k) { return Vec3(center - q[of_b[0]] - p[of_a[k]]); });
-}
-
-const Meeting::Near& Meeting::near(const Box3& box) const {
-  thread_local Near last;
-  Near& near = last;
-  if (near.meeting != name_ || near.box.min() != box.min() || near.box.max() != box.max()) {
-    near.meeting = name_;
-    near.box = box;
-    near.all = false;
-    near.asked = 0;
-  }
-  if (++near.asked != worth_listing) return near;
-  near.all = true;
-  near.pairs.clear();
-  const Vec3 center = box.center(), reach = 0.5 * box.sizes() + Vec3::Constant(rounding_);
-  const auto &nodes_a = tree_a_.nodes(), &nodes_b = tree_b_.nodes();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
-  while (!stack.empty()) {
-    const auto [i, j] = stack.back();
-    stack.pop_back();
-    const FacetTree::Node &m = nodes_a[i], &n = nodes_b[j];
-    if (((box.min() - n.box.max() - m.box.max()).array() > rounding_).any() || ((m.box.min() - box.max() + n.box.min()).array() > rounding_).any()) continue;
-    if (m.child == 0 && n.child == 0) {
-      for (std::uint32_t k = m.first; k < m.last; ++k)
-        for (std::uint32_t l = n.first; l < n.last; ++l)
-          if (may_cross(tree_a_.order()[k], tree_b_.order()[l], center, reach)) near.pairs.emplace_back(tree_a_.order()[k], tree_b_.order()[l]);
-      if (near.pairs.size() > most_near) {
-        near.all = false;
-        return near;
-      }
-    } else if (n.child == 0 || (m.child != 0 && m.last - m.first >= n.last - n.first)) {
-      stack.emplace_back(m.child, j);
-      stack.emplace_back(m.child + 1, j);
-    } else {
-      stack.emplace_back(i, n.child);
-      stack.emplace_back(i, n.child + 1);
-    }
-  }
-  return near;
-}
-
-template <class Visit>
-bool Meeting::crossings(const Near& near, const Vec3& x, Visit visit) const {
-  bool uncertain = false;
-  for (const auto& [f, g] : near.pairs)
-    if (facets_cross(f, g, x, uncertain, visit)) return uncertain;
-  return uncertain;
-}
-
 // With boundaries apart. (x - b is rounded, by less than what keeps the boundaries apart.)
 bool Meeting::contained(const Vec3& x) const {
   for (const std::uint32_t v : shells_b_)
@@ -245,16 +168,6 @@ bool Meeting::contained(const Vec3& x) const {
 std::optional<bool> Meeting::at(const Vec3& x) const {
   bool yes = false;
   const bool uncertain = crossings(x, [&](std::uint32_t, std::uint32_t, std::uint32_t, bool) { return yes = true; });
-  if (yes) return true;
-  if (uncertain) return std::nullopt;
-  return contained(x);
-}
-
-std::optional<bool> Meeting::at(const Vec3& x, const Box3& around) const {
-  const Near& pairs = near(around);
-  if (!pairs.all) return at(x);
-  bool yes = false;
-  const bool uncertain = crossings(pairs, x, [&](std::uint32_t, std::uint32_t, std::uint32_t, bool) { return yes = true; });
   if (yes) return true;
   if (uncertain) return std::nullopt;
   return contained(x);

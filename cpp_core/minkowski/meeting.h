@@ -22,8 +22,6 @@ class Meeting {
 
   /// Safe to call in parallel.
   std::optional<bool> at(const Vec3& x) const;
-  /// The same for one of many points of a box: the pairs that can meet there are looked for once.
-  std::optional<bool> at(const Vec3& x, const Box3& around) const;
   /// Certainly for all x of the box?
   bool throughout(const Box3& box) const;
 
@@ -37,25 +35,12 @@ class Meeting {
   /// Certainly all three points on one side of the plane through p?
   bool beside(const Plane& plane, const Vec3& p, const std::array<Vec3, 3>& points) const;
 
-  /// Pairs of facets of A and B that may cross for some x of a box.
-  struct Near {
-    std::uint64_t meeting = 0;   ///< whose they are; 0: nobody's
-    Box3 box;
-    int asked = 0;               ///< how often, so far
-    bool all = false;            ///< false: too many to list, or not asked for often enough
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  };
-  const Near& near(const Box3& box) const;
-  bool may_cross(std::uint32_t f, std::uint32_t g, const Vec3& center, const Vec3& reach) const;
-
   enum class Answer { no, yes, unknown };
   /// Does the segment from s to t cross the triangle?
   Answer crosses(const std::array<Vec3, 3>& triangle, const Vec3& s, const Vec3& t) const;
   /// Pairs of a facet and an edge that cross for certain at x; visit returns true to stop. Is any pair uncertain?
   template <class Visit>
   bool crossings(const Vec3& x, Visit visit) const;
-  template <class Visit>
-  bool crossings(const Near& near, const Vec3& x, Visit visit) const;
   template <class Visit>
   bool facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool& uncertain, Visit& visit) const;
   bool contained(const Vec3& x) const;
@@ -65,7 +50,6 @@ class Meeting {
   FacetTree tree_a_, tree_b_;
   std::vector<Plane> planes_a_, planes_b_;
   std::vector<std::uint32_t> shells_a_, shells_b_;   // a vertex of every boundary component
-  const std::uint64_t name_;                         // no other meeting has had it
   double rounding_;                                  // of any coordinate's difference
 };
 

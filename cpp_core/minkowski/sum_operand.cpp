@@ -77,22 +77,25 @@ void SumOperand::find_edges(const std::vector<Triangle>& neighbours) {
 }
 
 void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
-  std::vector<std::vector<std::uint32_t>> around(points_.size());
-  std::vector<char> flat(points_.size(), 1);
+  struct Link {
+    std::uint32_t vertex;
+    int bend;   // below 0: a convex edge
+  };
+  std::vector<std::vector<Link>> around(points_.size());
   for (std::uint32_t t = 0; t < facets_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = facets_[t][k], v = facets_[t][(k + 1) % 3], g = neighbours[t][k];
-      around[u].push_back(v);
-      if (!flat[u] && !flat[v]) continue;
       std::uint32_t apex = facets_[g][0];
       for (const std::uint32_t c : facets_[g])
         if (c != u && c != v) apex = c;
-      if (side(points_[facets_[t][0]], points_[facets_[t][1]], points_[facets_[t][2]], points_[apex]) != 0) flat[u] = flat[v] = 0;
+      around[u].push_back({v, side(points_[facets_[t][0]], points_[facets_[t][1]], points_[facets_[t][2]], points_[apex])});
     }
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    if (around[v].empty() || flat[v]) continue;
+    // Where every edge lies below a plane, the operand is either the narrow side of its surface or the wide one. The outermost edges
+    // are convex in the first case, reflex in the second, and then the vertex has no normals.
+    if (std::none_of(around[v].begin(), around[v].end(), [](const Link& link) { return link.bend < 0; })) continue;
     std::vector<Vec3> out;
-    for (const std::uint32_t w : around[v]) out.push_back((points_[w] - points_[v]).normalized());
+    for (const Link& link : around[v]) out.push_back((points_[link.vertex] - points_[v]).normalized());
     NormalCap cap;
     if (out.size() > most_links) {
       // n . d <= 0 for all edges d: no farther than a right angle from their mean, turned round.
@@ -101,6 +104,7 @@ void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
       cap = mean.norm() > 1e-9 ? NormalCap{mean.normalized(), 0.5 * pi + cap_slack} : NormalCap{Vec3::UnitZ(), pi};
     } else {
       std::vector<Vec3> extreme;
+      bool narrow = false;
       for (std::size_t i = 0; i < out.size(); ++i)
         for (std::size_t j = i + 1; j < out.size(); ++j) {
           const Vec3 cross = out[i].cross(out[j]);
@@ -109,14 +113,16 @@ void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
           const double slack = level_slack + 1e-15 / length;
           for (const double sense : {1.0, -1.0}) {
             const Vec3 n = sense / length * cross;
-            if (std::all_of(out.begin(), out.end(), [&](const Vec3& d) { return n.dot(d) <= slack; })) extreme.push_back(n);
+            if (!std::all_of(out.begin(), out.end(), [&](const Vec3& d) { return n.dot(d) <= slack; })) continue;
+            extreme.push_back(n);
+            narrow = narrow || around[v][i].bend < 0 || around[v][j].bend < 0;
           }
         }
-      if (extreme.empty()) continue;
+      if (!narrow) continue;
       cap = cap_around(extreme);
     }
     const auto first = static_cast<std::uint32_t>(links_.size());
-    links_.insert(links_.end(), around[v].begin(), around[v].end());
+    for (const Link& link : around[v]) links_.push_back(link.vertex);
     vertices_.push_back({v, first, static_cast<std::uint32_t>(links_.size()), cap});
   }
 }

@@ -23,8 +23,8 @@ SumSolid::SumSolid(Kind kind, PolyhedronPtr a, PolyhedronPtr b)
   if ((low.array() < high.array()).all()) box_ = Box3(low, high);
 }
 
-std::optional<bool> SumSolid::contains(const Vec3& x, const Box3& around) const {
-  const auto meets = meeting_.at(x, around);
+std::optional<bool> SumSolid::contains(const Vec3& x) const {
+  const auto meets = meeting_.at(x);
   if (!meets) return std::nullopt;
   return *meets == (kind_ == Kind::sum);
 }

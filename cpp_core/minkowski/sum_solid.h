@@ -21,7 +21,7 @@ class SumSolid final : public CandidateSolid {
   const std::vector<Vec3>& points() const override { return convolution_.points; }
   const std::vector<Triangle>& facets() const override { return convolution_.facets; }
   const std::vector<std::uint32_t>& partners() const override { return convolution_.partners; }
-  std::optional<bool> contains(const Vec3& x, const Box3& around) const override;
+  std::optional<bool> contains(const Vec3& x) const override;
   std::optional<bool> constant(const Box3& box) const override;
 
   Kind kind() const { return kind_; }

@@ -31,14 +31,14 @@ PenetrationDepth measure(const Expression& a, const Expression& b, std::optional
 
 void bind_penetration_depth(py::module_& module) {
   py::class_<PenetrationDepth>(module, "PenetrationDepth", "Certified bounds of how deep two Solids overlap, or of how far apart they are; lengths in model units.")
-      .def_readonly("lower", &PenetrationDepth::lower, "No shorter translation separates the solids; 0 if they do not overlap.")
-      .def_readonly("upper", &PenetrationDepth::upper, "So long a translation along `direction` does; 0 if they do not overlap.")
-      .def_property_readonly("depth", [](const PenetrationDepth& d) { return d.upper; }, "The upper bound.")
+      .def_readonly("lower", &PenetrationDepth::lower, "No shorter translation separates the solids, model units; 0 if they do not overlap.")
+      .def_readonly("upper", &PenetrationDepth::upper, "So long a translation along `direction` does, model units; 0 if they do not overlap.")
+      .def_property_readonly("depth", [](const PenetrationDepth& d) { return d.upper; }, "The upper bound, model units.")
       .def_property_readonly("direction", [](const PenetrationDepth& d) { return py::make_tuple(d.direction.x(), d.direction.y(), d.direction.z()); },
-                             "Unit vector (3 floats) that moves b out of a; zero if they do not overlap.")
-      .def_readonly("separation_lower", &PenetrationDepth::separation_lower, "The solids are at least this far apart; 0 if they overlap.")
-      .def_readonly("separation_upper", &PenetrationDepth::separation_upper, "The solids are no farther apart than this; 0 if they overlap.")
-      .def_readonly("deflection", &PenetrationDepth::deflection, "By how much meshes of curved solids are off; the bounds contain it.")
+                             "Unit vector, shape (3,), that moves b out of a; zero if they do not overlap.")
+      .def_readonly("separation_lower", &PenetrationDepth::separation_lower, "The solids are at least this far apart, model units; 0 if they overlap.")
+      .def_readonly("separation_upper", &PenetrationDepth::separation_upper, "The solids are no farther apart than this, model units; 0 if they overlap.")
+      .def_readonly("deflection", &PenetrationDepth::deflection, "By how much meshes of curved solids are off, model units; the bounds contain it.")
       .def("__repr__", [](const PenetrationDepth& d) {
         const bool overlap = d.upper > 0;
         return std::string("<starcell.PenetrationDepth: ") + (overlap ? "depth " : "separation ") + std::to_string(overlap ? d.lower : d.separation_lower) +

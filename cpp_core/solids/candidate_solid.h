@@ -20,9 +20,8 @@ class CandidateSolid {
   /// Per facet: another one on its plane with a common edge, or itself.
   virtual const std::vector<std::uint32_t>& partners() const = 0;
 
-  /// Is the point inside? None: too near to tell. `around`: a box that it lies in, in which more points will be asked for. Safe to call
-  /// in parallel.
-  virtual std::optional<bool> contains(const Vec3& x, const Box3& around) const = 0;
+  /// Is the point inside? None: too near to tell. Safe to call in parallel.
+  virtual std::optional<bool> contains(const Vec3& x) const = 0;
   /// The membership that all points of the box have for certain.
   virtual std::optional<bool> constant(const Box3& box) const = 0;
 };

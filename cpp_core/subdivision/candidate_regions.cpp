@@ -12,8 +12,8 @@ constexpr std::size_t most_planes = 64;
 
 }  // namespace
 
-CandidateRegions::CandidateRegions(const FacetTable& table, const Grid& grid, const CellProblem& problem)
-    : table_(table), cell_(problem.cell), facets_(problem.facets.size()), box_(box_of(grid, problem.cell)), solids_(problem.expression.solids()), known_(problem.slots()) {
+CandidateRegions::CandidateRegions(const FacetTable& table, const CellProblem& problem)
+    : table_(table), cell_(problem.cell), facets_(problem.facets.size()), solids_(problem.expression.solids()), known_(problem.slots()) {
   for (const std::uint32_t f : problem.facets) surfaces_.push_back(table.surface[f]);
   std::sort(surfaces_.begin(), surfaces_.end());
   surfaces_.erase(std::unique(surfaces_.begin(), surfaces_.end()), surfaces_.end());
@@ -43,7 +43,7 @@ std::optional<bool> CandidateRegions::contains(std::size_t slot, const Vec3& x) 
   const auto region = region_of(x);
   if (region)
     if (const auto known = known_[slot].find(*region); known != known_[slot].end()) return known->second;
-  const auto inside = table_.candidate_contains(solids_[slot], x, box_);
+  const auto inside = table_.candidate_contains(solids_[slot], x);
   if (region && inside) known_[slot].emplace(*region, *inside);
   return inside;
 }

@@ -14,7 +14,7 @@ namespace starcell {
 
 class CandidateRegions {
  public:
-  CandidateRegions(const FacetTable& table, const Grid& grid, const CellProblem& problem);
+  CandidateRegions(const FacetTable& table, const CellProblem& problem);
 
   bool are_of(const CellProblem& problem) const;
 
@@ -27,7 +27,6 @@ class CandidateRegions {
   const FacetTable& table_;
   const Cell cell_;
   const std::size_t facets_;
-  const Box3 box_;
   std::vector<std::uint32_t> solids_;
   std::vector<std::uint32_t> surfaces_;   // ascending
   std::vector<std::unordered_map<std::uint64_t, bool>> known_;   // per slot

@@ -44,7 +44,7 @@ std::optional<bool> Restriction::candidate_contains(const CellProblem& problem, 
   thread_local Last last;
   if (last.restriction != name_ || !last.regions || !last.regions->are_of(problem)) {
     last.restriction = name_;
-    last.regions.emplace(table_, grid_, problem);
+    last.regions.emplace(table_, problem);
   }
   return last.regions->contains(slot, x);
 }

@@ -81,9 +81,7 @@ struct FacetTable {
   const CandidateSolid* candidate(std::uint32_t operand) const { return operand < candidates.size() ? candidates[operand].get() : nullptr; }
   std::uint32_t operand_of(std::uint32_t facet) const;
   /// As the operand has it where it was moved to.
-  std::optional<bool> candidate_contains(std::uint32_t operand, const Vec3& x, const Box3& around) const {
-    return candidates[operand]->contains(x - shifts[operand], Box3(around.min() - shifts[operand], around.max() - shifts[operand]));
-  }
+  std::optional<bool> candidate_contains(std::uint32_t operand, const Vec3& x) const { return candidates[operand]->contains(x - shifts[operand]); }
   /// The largest distance of a facet's corners from a plane.
   double distance(const Surface& s, std::uint32_t facet) const;
   Box3 box(std::uint32_t facet) const;

@@ -38,7 +38,7 @@ class Docstrings(unittest.TestCase):
         self.assertRegex(sc.__version__, r"^\d+\.\d+\.\d+$")
 
     def test_the_promised_names_are_there(self):
-        promised = """Polyhedron read_mesh Box HalfSpace Sphere Ellipsoid Cylinder Cone Torus Quadric from_brep union intersection Budget evaluate Result Certificate Solid
+        promised = """Polyhedron read_mesh Box HalfSpace Sphere Ellipsoid Cylinder Cone Torus Quadric from_brep union intersection Budget evaluate offset shell minkowski_sum dilate erode opening closing penetration_depth Result Certificate Solid
                       Error InvalidSolidError UnboundedError CancelledError UnresolvedError FileError"""
         self.assertEqual(set(promised.split()) - set(PUBLIC), set())
 

@@ -1,0 +1,88 @@
+// Penetration depth and separation: closed forms of boxes, a ring that only comes off sideways, and the way out.
+#include "operations/penetration_depth.h"
+
+#include <algorithm>
+
+#include "minkowski/meeting.h"
+#include "operations/results.h"
+
+namespace starcell {
+namespace {
+
+using namespace sample;
+
+PenetrationDepth depth_of(const Mesh& a, const Mesh& b, double error) { return penetration_depth(solid(a), solid(b), with_error(error)); }
+
+bool meet(const Mesh& a, const Mesh& b, const Vec3& shift) {
+  const SumOperand one(make(a), {}), other(make(b), {true, false});
+  return Meeting(one, other).at(shift).value_or(true);
+}
+
+TEST(PenetrationDepth, OfBoxesIsTheLeastOverlap) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> size(0.5, 2), share(-1.3, 1.3);
+  int overlapping = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Eigen::Matrix3d rotation = random_rotation(random);
+    Vec3 a, b, s;
+    for (int i = 0; i < 3; ++i) a[i] = size(random), b[i] = size(random), s[i] = 0.5 * share(random) * (a[i] + b[i]);
+    const Vec3 overlap = 0.5 * (a + b) - s.cwiseAbs();
+    const Mesh one = turned(box(-0.5 * a, 0.5 * a), rotation), other = turned(box(s - 0.5 * b, s + 0.5 * b), rotation);
+    const PenetrationDepth d = depth_of(one, other, 0.01);
+    if (overlap.minCoeff() > 0) {
+      ++overlapping;
+      EXPECT_LE(d.lower, overlap.minCoeff() + 1e-9);
+      EXPECT_GE(d.upper, overlap.minCoeff() - 1e-9);
+      EXPECT_LE(d.upper - d.lower, 0.01);
+      EXPECT_NEAR(d.direction.norm(), 1, 1e-12);
+      EXPECT_FALSE(meet(one, other, (1 + 1e-9) * d.upper * d.direction));
+    } else {
+      const double gap = (-overlap).cwiseMax(0).norm();   // boxes are apart by the gaps along all axes together
+      EXPECT_EQ(d.lower, 0);
+      EXPECT_EQ(d.upper, 0);
+      EXPECT_LE(d.separation_lower, gap + 1e-9);
+      EXPECT_GE(d.separation_upper, gap - 1e-9);
+      EXPECT_LE(d.separation_upper - d.separation_lower, 1e-9);
+    }
+  }
+  EXPECT_GT(overlapping, 5);
+}
+
+// A frame whose hole is 1 wide, jammed on a pole 1.2 thick and 10 high: the way out is sideways past the frame's whole width.
+TEST(PenetrationDepth, OfAFrameJammedOnAPole) {
+  const Expression frame = solid(box({-1.5, -1.5, -0.1}, {1.5, 1.5, 0.1})) - solid(box({-0.5, -0.5, -1}, {0.5, 0.5, 1}));
+  const Result made = evaluate(frame, with_error(0.01));
+  const Mesh ring{made.vertices, made.triangles};
+  for (const auto& [height, depth] : {std::pair(5.0, 2.1), std::pair(1.0, 1.1)}) {   // a short pole comes out along its axis
+    const PenetrationDepth d = depth_of(ring, box({-0.6, -0.6, -height}, {0.6, 0.6, height}), 0.02);
+    EXPECT_LE(d.lower, depth + 1e-9);
+    EXPECT_GE(d.upper, depth - 1e-9);
+    EXPECT_LE(d.upper - d.lower, 0.02);
+  }
+}
+
+// One inside the other, boundaries apart: the depth is to the nearest side, and past it.
+TEST(PenetrationDepth, OfWhatLiesInside) {
+  const PenetrationDepth d = depth_of(box({0, 0, 0}, {10, 10, 10}), box({4, 4, 7}, {5, 5, 8}), 0.01);
+  EXPECT_NEAR(d.upper, 3, 0.011);
+  EXPECT_NEAR(d.lower, 3, 0.011);
+  EXPECT_NEAR(d.direction.z(), 1, 1e-6);
+}
+
+// Curved solids are meshed, and the bounds are wider by as much: a ring whose hole is 0.4 on a pole of radius 0.5.
+TEST(PenetrationDepth, OfCurvedSolidsHoldsTheTruth) {
+  const Expression pole(CurvedSolid::cylinder({0, 0, -5}, Vec3::UnitZ(), 0.5, 10)), ball(CurvedSolid::sphere({0.4, 0, 0}, 0.3));
+  const PenetrationDepth d = penetration_depth(pole, ball, with_error(0.05));
+  EXPECT_LE(d.lower, 0.4);   // 0.5 + 0.3 - 0.4
+  EXPECT_GE(d.upper, 0.4);
+  EXPECT_LE(d.upper - d.lower, 0.05);
+  EXPECT_GT(d.deflection, 0);
+}
+
+TEST(PenetrationDepth, RefusesWhatIsEmpty) {
+  const Expression nothing = solid(box({0, 0, 0}, {1, 1, 1})) & solid(box({5, 5, 5}, {6, 6, 6}));
+  EXPECT_THROW(penetration_depth(nothing, solid(box({0, 0, 0}, {1, 1, 1})), with_error(0.1)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace starcell
