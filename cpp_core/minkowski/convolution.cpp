@@ -13,10 +13,11 @@ namespace {
 constexpr double same_point = 4e-15;
 // Edges this nearly parallel span no area that their faces do not cover.
 constexpr double parallel = 1e-13;
+constexpr std::size_t pairs_between_pauses = 1 << 14;
 
 class Convolving {
  public:
-  Convolving(const SumOperand& a, const SumOperand& b) : a_(a), b_(b) {}
+  Convolving(const SumOperand& a, const SumOperand& b, const ConvolutionSettings& settings) : a_(a), b_(b), settings_(settings) {}
 
   Convolution make() {
     faces_at_vertices(a_, b_, false);
@@ -34,31 +35,44 @@ class Convolving {
     return NormalTree(std::move(caps));
   }
 
-  std::uint32_t point(std::uint32_t of_a, std::uint32_t of_b) {
-    const auto [it, fresh] = index_.emplace(std::uint64_t{of_a} << 32 | of_b, static_cast<std::uint32_t>(result_.points.size()));
-    if (fresh) result_.points.push_back(a_.points()[of_a] + b_.points()[of_b]);
+  using Origin = std::array<std::uint32_t, 2>;   // vertices of a and of b
+
+  void add(const std::array<Origin, 3>& corners, std::uint32_t partner) {
+    Triangle t{};
+    for (int k = 0; k < 3; ++k) t[k] = point(corners[k]);
+    result_.facets.push_back(t);
+    result_.partners.push_back(partner);
+    if (settings_.origins) result_.origins.push_back(corners);
+  }
+
+  std::uint32_t point(const Origin& o) {
+    const auto [it, fresh] = index_.emplace(std::uint64_t{o[0]} << 32 | o[1], static_cast<std::uint32_t>(result_.points.size()));
+    if (fresh) result_.points.push_back(a_.points()[o[0]] + b_.points()[o[1]]);
     return it->second;
+  }
+
+  void count_pair() {
+    if (++result_.pairs % pairs_between_pauses == 0 && settings_.pause) settings_.pause();
   }
 
   void faces_at_vertices(const SumOperand& faces, const SumOperand& vertices, bool turned) {
     NormalTree::meeting(tree_of(faces.faces()), tree_of(vertices.vertices()), [&](std::uint32_t i, std::uint32_t j) {
-      ++result_.pairs;
+      count_pair();
       const SumOperand::Face& face = faces.faces()[i];
       const SumOperand::Vertex& vertex = vertices.vertices()[j];
       if (face.normals.angle < 1 && !vertices.supports(vertex, face.normals.axis)) return;
-      Triangle t;
+      std::array<Origin, 3> corners;
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t v = faces.facets()[face.facet][k];
-        t[k] = turned ? point(vertex.vertex, v) : point(v, vertex.vertex);
+        corners[k] = turned ? Origin{vertex.vertex, v} : Origin{v, vertex.vertex};
       }
-      result_.partners.push_back(static_cast<std::uint32_t>(result_.facets.size()));
-      result_.facets.push_back(t);
+      add(corners, static_cast<std::uint32_t>(result_.facets.size()));
     });
   }
 
   void edges_by_edges() {
     NormalTree::meeting(tree_of(a_.edges()), tree_of(b_.edges()), [&](std::uint32_t i, std::uint32_t j) {
-      ++result_.pairs;
+      count_pair();
       const SumOperand::Edge &e = a_.edges()[i], &f = b_.edges()[j];
       const Vec3 along = a_.points()[e.to] - a_.points()[e.from], across = b_.points()[f.to] - b_.points()[f.from];
       const Vec3 cross = along.cross(across);
@@ -68,13 +82,11 @@ class Convolving {
       for (const double sense : {1.0, -1.0}) {
         const Vec3 n = sense / length * cross;
         if (!a_.supports(e, n, slack) || !b_.supports(f, n, slack)) continue;
-        std::uint32_t q[4] = {point(e.from, f.from), point(e.to, f.from), point(e.to, f.to), point(e.from, f.to)};
+        std::array<Origin, 4> q{{{e.from, f.from}, {e.to, f.from}, {e.to, f.to}, {e.from, f.to}}};
         if (sense < 0) std::swap(q[1], q[3]);
         const auto at = static_cast<std::uint32_t>(result_.facets.size());
-        result_.facets.push_back({q[0], q[1], q[2]});
-        result_.facets.push_back({q[0], q[2], q[3]});
-        result_.partners.push_back(at + 1);
-        result_.partners.push_back(at);
+        add({q[0], q[1], q[2]}, at + 1);
+        add({q[0], q[2], q[3]}, at);
       }
     });
   }
@@ -131,22 +143,25 @@ class Convolving {
     std::vector<std::uint32_t> partners;
     for (std::size_t f = 0; f < n; ++f) {
       if (!keep[f]) continue;
+      if (settings_.origins) result_.origins[facets.size()] = result_.origins[f];
       const std::uint32_t partner = number[result_.partners[f]];
       partners.push_back(partner == UINT32_MAX ? number[f] : partner);
       facets.push_back(result_.facets[f]);
     }
+    if (settings_.origins) result_.origins.resize(facets.size());
     result_.facets = std::move(facets);
     result_.partners = std::move(partners);
   }
 
   const SumOperand& a_;
   const SumOperand& b_;
+  const ConvolutionSettings& settings_;
   Convolution result_;
   std::unordered_map<std::uint64_t, std::uint32_t> index_;
 };
 
 }  // namespace
 
-Convolution convolve(const SumOperand& a, const SumOperand& b) { return Convolving(a, b).make(); }
+Convolution convolve(const SumOperand& a, const SumOperand& b, const ConvolutionSettings& settings) { return Convolving(a, b, settings).make(); }
 
 }  // namespace starcell

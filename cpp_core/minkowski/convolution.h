@@ -5,6 +5,8 @@
 // are found by their normals, so that their number grows with what the normals have in common, not with m·n.
 #pragma once
 
+#include <functional>
+
 #include "minkowski/sum_operand.h"
 
 namespace starcell {
@@ -13,9 +15,16 @@ struct Convolution {
   std::vector<Vec3> points;
   std::vector<Triangle> facets;
   std::vector<std::uint32_t> partners;   ///< the other half of a parallelogram, or the facet itself
+  /// Of each facet's corners the vertices that were added, of a and of b; only if asked for.
+  std::vector<std::array<std::array<std::uint32_t, 2>, 3>> origins;
   std::size_t pairs = 0;                 ///< of features looked at
 };
 
-Convolution convolve(const SumOperand& a, const SumOperand& b);
+struct ConvolutionSettings {
+  bool origins = false;
+  std::function<void()> pause;   ///< called now and then; what it throws ends the work
+};
+
+Convolution convolve(const SumOperand& a, const SumOperand& b, const ConvolutionSettings& settings = {});
 
 }  // namespace starcell

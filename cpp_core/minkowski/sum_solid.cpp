@@ -4,14 +4,14 @@
 
 namespace starcell {
 
-std::shared_ptr<const SumSolid> SumSolid::make(Kind kind, PolyhedronPtr a, PolyhedronPtr b) {
+std::shared_ptr<const SumSolid> SumSolid::make(Kind kind, PolyhedronPtr a, PolyhedronPtr b, const std::function<void()>& pause) {
   if (a->triangles().empty() || b->triangles().empty()) throw std::invalid_argument("a Minkowski sum needs two solids that are not empty");
-  return std::shared_ptr<const SumSolid>(new SumSolid(kind, std::move(a), std::move(b)));
+  return std::shared_ptr<const SumSolid>(new SumSolid(kind, std::move(a), std::move(b), pause));
 }
 
-SumSolid::SumSolid(Kind kind, PolyhedronPtr a, PolyhedronPtr b)
+SumSolid::SumSolid(Kind kind, PolyhedronPtr a, PolyhedronPtr b, const std::function<void()>& pause)
     : kind_(kind), a_(std::move(a)), b_(std::move(b)), placed_a_(a_, {false, kind == Kind::erosion}), placed_b_(b_, {kind == Kind::erosion, false}),
-      convolution_(convolve(placed_a_, placed_b_)), meeting_(placed_a_, placed_b_) {
+      convolution_(convolve(placed_a_, placed_b_, {false, pause})), meeting_(placed_a_, placed_b_) {
   const Box3 &one = a_->bounding_box(), &other = b_->bounding_box();
   if (kind == Kind::sum) {
     box_ = Box3(one.min() + other.min(), one.max() + other.max());

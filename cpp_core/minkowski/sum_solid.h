@@ -15,8 +15,8 @@ class SumSolid final : public CandidateSolid {
  public:
   enum class Kind { sum, erosion };
 
-  /// Throws std::invalid_argument for an operand without triangles.
-  static std::shared_ptr<const SumSolid> make(Kind kind, PolyhedronPtr a, PolyhedronPtr b);
+  /// Throws std::invalid_argument for an operand without triangles; calls `pause` now and then, and passes on what it throws.
+  static std::shared_ptr<const SumSolid> make(Kind kind, PolyhedronPtr a, PolyhedronPtr b, const std::function<void()>& pause = {});
 
   const std::vector<Vec3>& points() const override { return convolution_.points; }
   const std::vector<Triangle>& facets() const override { return convolution_.facets; }
@@ -33,7 +33,7 @@ class SumSolid final : public CandidateSolid {
   std::shared_ptr<const SumSolid> transformed(const Eigen::Matrix4d& map) const;
 
  private:
-  SumSolid(Kind kind, PolyhedronPtr a, PolyhedronPtr b);
+  SumSolid(Kind kind, PolyhedronPtr a, PolyhedronPtr b, const std::function<void()>& pause);
 
   Kind kind_;
   PolyhedronPtr a_, b_;

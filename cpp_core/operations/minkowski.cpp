@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "operations/operand_mesh.h"
+#include "solids/errors.h"
 
 namespace starcell {
 namespace {
@@ -40,6 +41,10 @@ double error_for(const Options& options, const Box3& box) { return options.error
 
 Box3 sum_of(const Box3& a, const Box3& b) { return a.isEmpty() || b.isEmpty() ? Box3() : Box3(a.min() + b.min(), a.max() + b.max()); }
 
+void announce(const Progress& progress, const char* stage) {
+  if (progress && !progress(0, stage)) throw CancelledError("The run was cancelled.");
+}
+
 bool is_nothing(const PolyhedronPtr& solid) { return solid->triangles().empty(); }
 
 // The sum or erosion as a leaf. Of what is empty, or has no mesh, nothing is made: its provenance says which of the two it is.
@@ -48,7 +53,7 @@ Expression combined(SumSolid::Kind kind, const Expression& a, const Expression& 
   if (is_nothing(one)) return Expression(one);
   const PolyhedronPtr other = operand_mesh(b, tessellation_share * error, options, clock, "mesh of the second solid");
   if (is_nothing(other)) return Expression(other);
-  return Expression(SumSolid::make(kind, one, other));
+  return Expression(SumSolid::make(kind, one, other, [&] { announce(options.progress, "adding faces, edges and vertices"); }));
 }
 
 // Of two steps the first one's result is the second one's operand.

@@ -17,6 +17,8 @@ struct PenetrationDepth {
   double lower = 0, upper = 0;                         ///< of the depth; both 0 if the solids do not overlap
   Vec3 direction = Vec3::Zero();                       ///< of unit length: moves B out of A; zero if the solids do not overlap
   double separation_lower = 0, separation_upper = 0;   ///< of the distance between the solids; both 0 if they overlap
+  /// A point of either surface: where they touch, B being moved, or where they are nearest to each other.
+  Vec3 point_a = Vec3::Zero(), point_b = Vec3::Zero();
   double deflection = 0;                               ///< of the operands' meshes, added up
   std::size_t pieces = 0;                              ///< of facets that were looked at
 };

@@ -38,6 +38,10 @@ void bind_penetration_depth(py::module_& module) {
                              "Unit vector, shape (3,), that moves b out of a; zero if they do not overlap.")
       .def_readonly("separation_lower", &PenetrationDepth::separation_lower, "The solids are at least this far apart, model units; 0 if they overlap.")
       .def_readonly("separation_upper", &PenetrationDepth::separation_upper, "The solids are no farther apart than this, model units; 0 if they overlap.")
+      .def_property_readonly("point_a", [](const PenetrationDepth& d) { return py::make_tuple(d.point_a.x(), d.point_a.y(), d.point_a.z()); },
+                             "Point of a's surface, shape (3,), model units: where b touches it once it is moved, or where b is nearest to it.")
+      .def_property_readonly("point_b", [](const PenetrationDepth& d) { return py::make_tuple(d.point_b.x(), d.point_b.y(), d.point_b.z()); },
+                             "The point of b's surface, shape (3,), model units, that belongs to point_a.")
       .def_readonly("deflection", &PenetrationDepth::deflection, "By how much meshes of curved solids are off, model units; the bounds contain it.")
       .def("__repr__", [](const PenetrationDepth& d) {
         const bool overlap = d.upper > 0;

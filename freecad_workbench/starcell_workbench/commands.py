@@ -115,7 +115,10 @@ def register():
 
 
 def _commands():
+    from .depth_command import PenetrationDepthCommand
+    from .depth_feature import PenetrationDepth
     from .solid_command import ToSolidCommand
     from .solid_feature import ToSolid
 
-    return {**{operation.command: OperationCommand(operation) for operation in operations.ALL}, ToSolid.command: ToSolidCommand()}
+    return {**{operation.command: OperationCommand(operation) for operation in operations.ALL},
+            PenetrationDepth.command: PenetrationDepthCommand(), ToSolid.command: ToSolidCommand()}

@@ -31,10 +31,10 @@ def parse_positive(value, name):
     return length
 
 
-def show(value):
-    """A length (mm or a quantity) with four digits, rounded up: a bound that is shown must hold."""
+def show(value, down=False):
+    """A length (mm or a quantity) with four digits, rounded up, or down: a bound that is shown must hold."""
     value = getattr(value, "Value", value)
-    rounded = decimal.Context(prec=4, rounding=decimal.ROUND_CEILING).create_decimal(repr(float(value)))
+    rounded = decimal.Context(prec=4, rounding=decimal.ROUND_FLOOR if down else decimal.ROUND_CEILING).create_decimal(repr(float(value)))
     return "{:.4g} mm".format(float(rounded))
 
 

@@ -10,6 +10,7 @@ import FreeCAD
 
 from . import lengths
 from .boolean_feature import Cut, Intersection, Union
+from .depth_feature import PenetrationDepth
 from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .operation_feature import recompute
@@ -91,18 +92,13 @@ def make_solid(source, label=None, document=None):
     if not _is_object(source):
         raise TypeError("source: expected a document object, not {!r}.".format(source))
     document = document or source.Document
-    if source.Document is not document:
-        raise ValueError("'{}' is in another document than the solid, '{}': link it there first.".format(source.Label, document.Label))
+    _check_document(document, (source,))
     if not source.getLinkedObject(True).isDerivedFrom("Mesh::Feature"):
         raise ValueError("source: '{}' is no mesh; take a result of StarCell or another closed mesh.".format(source.Label))
 
     obj = document.addObject("Part::FeaturePython", "Solid")
     ToSolid(obj)
-    if label:
-        obj.Label = label
-    container = _common_container({"Source": [source]})
-    if container:
-        container.addObject(obj)
+    _name_and_place(obj, label, {"Source": [source]})
     obj.Source = source
     if FreeCAD.GuiUp and obj.ViewObject:
         from .solid_view import SolidView
@@ -114,22 +110,39 @@ def make_solid(source, label=None, document=None):
     return obj
 
 
+def make_penetration_depth(first, second, error=None, label=None, document=None):
+    """How far `second` has to move to come free of `first`, and which way; or how far apart they are. error: between the bounds."""
+    for name, each in (("first", first), ("second", second)):
+        if not _is_object(each):
+            raise TypeError("{}: expected a document object, not {!r}.".format(name, each))
+    if first is second:
+        raise ValueError("second: is the same object as first, '{}'.".format(first.Label))
+    error = None if error is None else lengths.parse_positive(error, "error")
+    document = document or first.Document
+    _check_document(document, (first, second))
+
+    obj = document.addObject("App::FeaturePython", "PenetrationDepth")
+    PenetrationDepth(obj)
+    _name_and_place(obj, label, {"First": [first], "Second": [second]})
+    obj.First, obj.Second, obj.Error = first, second, error or 0
+    if FreeCAD.GuiUp and obj.ViewObject:
+        from .depth_view import DepthView
+
+        DepthView(obj.ViewObject)
+    recompute(obj)
+    return obj
+
+
 def make(operation, given, error=None, contact=None, label=None, document=None, **values):
     """Any operation: given {role: object or sequence of objects}, values of its own parameters by name."""
     links = _check_links(operation, given)
     error, contact = (None if value is None else lengths.parse_positive(value, name) for name, value in (("error", error), ("contact", contact)))
     document = document or next(iter(links.values()))[0].Document
-    for each in [each for objects in links.values() for each in objects]:
-        if each.Document is not document:
-            raise ValueError("'{}' is in another document than the result, '{}': link it there first.".format(each.Label, document.Label))
+    _check_document(document, [each for objects in links.values() for each in objects])
 
     obj = document.addObject("Mesh::FeaturePython", operation.command.replace("StarCell_", ""))
     operation(obj)
-    if label:
-        obj.Label = label
-    container = _common_container(links)
-    if container:
-        container.addObject(obj)
+    _name_and_place(obj, label, links)
     for role in operation.roles:
         setattr(obj, role.name, links[role.name] if role.many else next(iter(links[role.name]), None))
     for name, value in values.items():
@@ -171,6 +184,21 @@ def _check_links(operation, given):
                 role.name, "at least" if role.many else "exactly" if role.least else "at most", max(role.least, not role.many), len(objects)))
         links[role.name] = objects
     return links
+
+
+def _check_document(document, objects):
+    for each in objects:
+        if each.Document is not document:
+            raise ValueError("'{}' is in another document than the result, '{}': link it there first.".format(each.Label, document.Label))
+
+
+def _name_and_place(obj, label, links):
+    """Beside its operands, where these lie in one container."""
+    if label:
+        obj.Label = label
+    container = _common_container(links)
+    if container:
+        container.addObject(obj)
 
 
 def _is_object(value):

@@ -118,6 +118,12 @@ def containers(obj):
     return around
 
 
+def frames_between(obj, linked):
+    """The containers whose placement moves one of the linked objects against `obj`: it has to be recomputed when they move."""
+    own = containers(obj)
+    return list({around.Name: around for each in linked for around in containers(each) if around not in own}.values())
+
+
 def leaf_paths(obj):
     """Sub-object paths of everything visible under `obj` that holds a shape or a mesh: obj itself, if it does."""
     return _leaf_paths(obj, set(), "")

@@ -178,10 +178,9 @@ class OperationFeature(Stateless):
 
     def _keep_frames(self, obj):
         """Links to the containers whose placement matters, so that moving one recomputes the object."""
-        own = operands.containers(obj)
-        frames = {around.Name: around for each in self.linked(obj) for around in operands.containers(each) if around not in own}
-        if sorted(frames) != sorted(each.Name for each in obj.Frames):
-            obj.Frames = list(frames.values())
+        frames = operands.frames_between(obj, self.linked(obj))
+        if sorted(each.Name for each in frames) != sorted(each.Name for each in obj.Frames):
+            obj.Frames = frames
 
     def _automatic_error(self, obj, given, chosen):
         if obj.ErrorDivisor < 1:

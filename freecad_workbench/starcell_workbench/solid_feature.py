@@ -79,17 +79,13 @@ class ToSolid(Stateless):
             FreeCAD.Console.PrintWarning(translate("StarCell", "{}: '{}' has {} triangles. Those that are not coplanar become a face "
                                                                "each, and FreeCAD takes long to handle very many faces.").format(
                 obj.Label, source.Label, len(triangles)) + "\n")
-        self._remember_frames(obj, source)
+        frames = operands.frames_between(obj, [source])
+        if frames != list(obj.Frames):
+            obj.Frames = frames
         matrix = numpy.array((operands.to_frame(source, obj) * own).A).reshape(4, 4)
         moved = points if numpy.array_equal(matrix, numpy.eye(4)) else points @ matrix[:3, :3].T + matrix[:3, 3]
         stretch = max(1.0, numpy.linalg.norm(matrix[:3, :3], 2))
         return moved, triangles, ROUNDING * stretch * numpy.abs(points).max()
-
-    def _remember_frames(self, obj, source):
-        own = operands.containers(obj)
-        frames = [around for around in operands.containers(source) if around not in own]
-        if frames != list(obj.Frames):
-            obj.Frames = frames
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)

@@ -12,9 +12,11 @@ class Offset(window.WindowTest):
         self.doc, self.plate, self.rib, self.bore = window.block_with_bore()
 
     def test_needs_one_object(self):
-        for name in ("StarCell_Offset", "StarCell_Shell", "StarCell_Erode", "StarCell_Opening", "StarCell_Closing"):
+        # Of two objects the second one takes the ball's place.
+        for name, takes_two in (("StarCell_Offset", False), ("StarCell_Shell", False), ("StarCell_Erode", True), ("StarCell_Opening", True),
+                                ("StarCell_Closing", True)):
             command = FreeCADGui.Command.get(name)
-            for picked, wanted in (((), False), ((self.plate,), True), ((self.plate, self.rib), False)):
+            for picked, wanted in (((), False), ((self.plate,), True), ((self.plate, self.rib), takes_two), ((self.plate, self.rib, self.bore), False)):
                 window.select(*picked)
                 self.assertEqual(command.isActive(), wanted, name)
 

@@ -29,6 +29,9 @@ TEST(PenetrationDepth, OfBoxesIsTheLeastOverlap) {
     const Vec3 overlap = 0.5 * (a + b) - s.cwiseAbs();
     const Mesh one = turned(box(-0.5 * a, 0.5 * a), rotation), other = turned(box(s - 0.5 * b, s + 0.5 * b), rotation);
     const PenetrationDepth d = depth_of(one, other, 0.01);
+    // Of either surface.
+    for (const auto& [point, middle, half] : {std::tuple<Vec3, Vec3, Vec3>(d.point_a, Vec3::Zero(), 0.5 * a), {d.point_b, s, 0.5 * b}})
+      EXPECT_NEAR(((rotation.transpose() * point - middle).cwiseAbs() - half).maxCoeff(), 0, 1e-9);
     if (overlap.minCoeff() > 0) {
       ++overlapping;
       EXPECT_LE(d.lower, overlap.minCoeff() + 1e-9);
@@ -36,6 +39,7 @@ TEST(PenetrationDepth, OfBoxesIsTheLeastOverlap) {
       EXPECT_LE(d.upper - d.lower, 0.01);
       EXPECT_NEAR(d.direction.norm(), 1, 1e-12);
       EXPECT_FALSE(meet(one, other, (1 + 1e-9) * d.upper * d.direction));
+      EXPECT_LE((d.point_a - d.point_b - d.upper * d.direction).norm(), 0.01);
     } else {
       const double gap = (-overlap).cwiseMax(0).norm();   // boxes are apart by the gaps along all axes together
       EXPECT_EQ(d.lower, 0);
@@ -43,9 +47,26 @@ TEST(PenetrationDepth, OfBoxesIsTheLeastOverlap) {
       EXPECT_LE(d.separation_lower, gap + 1e-9);
       EXPECT_GE(d.separation_upper, gap - 1e-9);
       EXPECT_LE(d.separation_upper - d.separation_lower, 1e-9);
+      EXPECT_NEAR((d.point_a - d.point_b).norm(), gap, 1e-9);
     }
   }
   EXPECT_GT(overlapping, 5);
+}
+
+// Ends that lie in one plane say nothing of whether the solids overlap: a post in a hole does not.
+TEST(PenetrationDepth, OfWhatIsFlushIsItsClearance) {
+  const Result made = evaluate(solid(box({-2, -2, 0}, {2, 2, 1})) - solid(box({-1, -1, -1}, {1, 1, 2})), with_error(0.01));
+  const Mesh ring{made.vertices, made.triangles};
+  for (const double half : {0.7, 0.999999}) {
+    const PenetrationDepth d = depth_of(ring, box({-half, -half, 0}, {half, half, 1}), 0.01);
+    EXPECT_EQ(d.upper, 0);
+    EXPECT_NEAR(d.separation_lower, 1 - half, 1e-9);
+    EXPECT_NEAR(d.separation_upper, 1 - half, 1e-9);
+  }
+  // One that fills the hole touches: nothing is claimed but that it does not overlap by more than rounding.
+  const PenetrationDepth touching = depth_of(ring, box({-1, -1, 0}, {1, 1, 1}), 0.01);
+  EXPECT_EQ(touching.lower, 0);
+  EXPECT_EQ(touching.separation_lower, 0);
 }
 
 // A frame whose hole is 1 wide, jammed on a pole 1.2 thick and 10 high: the way out is sideways past the frame's whole width.
