@@ -47,7 +47,10 @@ class Convolving {
 
   std::uint32_t point(const Origin& o) {
     const auto [it, fresh] = index_.emplace(std::uint64_t{o[0]} << 32 | o[1], static_cast<std::uint32_t>(result_.points.size()));
-    if (fresh) result_.points.push_back(a_.points()[o[0]] + b_.points()[o[1]]);
+    if (fresh) {
+      result_.points.push_back(a_.points()[o[0]] + b_.points()[o[1]]);
+      origins_.push_back(o);
+    }
     return it->second;
   }
 
@@ -91,6 +94,19 @@ class Convolving {
     });
   }
 
+  // What rounding left off a point: sums are equal exactly where both are.
+  Vec3 rounded_off(std::uint32_t i) const {
+    const Vec3 &a = a_.points()[origins_[i][0]], &b = b_.points()[origins_[i][1]], &sum = result_.points[i];
+    Vec3 rest;
+    for (int k = 0; k < 3; ++k) {   // Knuth's two-sum
+      const double of_b = sum[k] - a[k], of_a = sum[k] - of_b;
+      rest[k] = (a[k] - of_a) + (b[k] - of_b);
+    }
+    return rest;
+  }
+
+  bool equal(std::uint32_t i, std::uint32_t j) const { return result_.points[i] == result_.points[j] && rounded_off(i) == rounded_off(j); }
+
   // Symmetric operands meet in the same sums by different ways. What then is one facet is kept once.
   void weld() {
     std::vector<Vec3>& points = result_.points;
@@ -113,6 +129,9 @@ class Convolving {
     std::vector<Vec3> kept;
     for (std::uint32_t i = 0; i < points.size(); ++i)
       if (stands[i] == i) number[i] = static_cast<std::uint32_t>(kept.size()), kept.push_back(points[i]);
+    result_.merged.assign(kept.size(), 0);
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      if (stands[i] != i && !equal(i, stands[i])) result_.merged[number[stands[i]]] = 1;
     for (Triangle& t : result_.facets)
       for (std::uint32_t& v : t) v = number[stands[v]];
     points = std::move(kept);
@@ -158,6 +177,7 @@ class Convolving {
   const ConvolutionSettings& settings_;
   Convolution result_;
   std::unordered_map<std::uint64_t, std::uint32_t> index_;
+  std::vector<Origin> origins_;   // of each point
 };
 
 }  // namespace

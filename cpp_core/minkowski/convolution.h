@@ -13,6 +13,8 @@ namespace starcell {
 
 struct Convolution {
   std::vector<Vec3> points;
+  /// Per point: it stands for several sums that are not exactly equal, and only rounding may tell apart.
+  std::vector<char> merged;
   std::vector<Triangle> facets;
   std::vector<std::uint32_t> partners;   ///< the other half of a parallelogram, or the facet itself
   /// Of each facet's corners the vertices that were added, of a and of b; only if asked for.

@@ -19,6 +19,7 @@ class SumSolid final : public CandidateSolid {
   static std::shared_ptr<const SumSolid> make(Kind kind, PolyhedronPtr a, PolyhedronPtr b, const std::function<void()>& pause = {});
 
   const std::vector<Vec3>& points() const override { return convolution_.points; }
+  const std::vector<char>& merged() const override { return convolution_.merged; }
   const std::vector<Triangle>& facets() const override { return convolution_.facets; }
   const std::vector<std::uint32_t>& partners() const override { return convolution_.partners; }
   std::optional<bool> contains(const Vec3& x) const override;

@@ -16,6 +16,8 @@ class CandidateSolid {
   virtual ~CandidateSolid() = default;
 
   virtual const std::vector<Vec3>& points() const = 0;
+  /// Per point: of the facets with this corner some have it only to within rounding.
+  virtual const std::vector<char>& merged() const = 0;
   virtual const std::vector<Triangle>& facets() const = 0;
   /// Per facet: another one on its plane with a common edge, or itself.
   virtual const std::vector<std::uint32_t>& partners() const = 0;

@@ -88,6 +88,8 @@ void add_candidates(FacetTable& table, const std::vector<CandidateSolidPtr>& can
     const auto facet_shift = static_cast<std::uint32_t>(table.corners.size());
     const Vec3 shift = shifts.empty() ? Vec3(Vec3::Zero()) : shifts[table.first.size() - 1];
     for (const Vec3& p : solid->points()) table.points.push_back(p + shift);
+    table.merged.resize(point_shift, 0);
+    table.merged.insert(table.merged.end(), solid->merged().begin(), solid->merged().end());
     const auto& facets = solid->facets();
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
       const Triangle& t = facets[f];

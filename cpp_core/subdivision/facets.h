@@ -67,6 +67,7 @@ struct FacetTable {
   std::vector<Surface> surfaces;
   std::vector<CandidateSolidPtr> candidates;   ///< per operand with facets; null: a polyhedron
   std::vector<Vec3> shifts;              ///< how far each candidate was moved
+  std::vector<char> merged;              ///< per point: not one and the same for all facets with this corner; none: no such point
   std::vector<Region> regions;           ///< operand k >= faceted() is regions[k - faceted()]
   std::vector<Graze> grazes;
   double thickest = 0;                   ///< largest thickness: how far canonical planes stand for facets
@@ -85,6 +86,7 @@ struct FacetTable {
   /// The largest distance of a facet's corners from a plane.
   double distance(const Surface& s, std::uint32_t facet) const;
   Box3 box(std::uint32_t facet) const;
+  bool is_merged(std::uint32_t point) const { return point < merged.size() && merged[point]; }
   const Vec3& corner(std::uint32_t facet, int k) const { return points[corners[facet][k]]; }
   Vec3 area_vector(std::uint32_t facet) const {
     const Vec3& a = corner(facet, 0);
