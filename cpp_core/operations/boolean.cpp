@@ -87,6 +87,7 @@ class Evaluation {
     }
     count_topology(result_.vertices, result_.triangles, c);
     add_statistics(statistics_, c);
+    for (const auto& solid : operands_.candidates) c.statistics["candidates"] += static_cast<double>(solid->facets().size());
     c.statistics["triangles"] = static_cast<double>(result_.triangles.size());
     c.statistics["vertices"] = static_cast<double>(result_.vertices.size());
     c.statistics["seconds"] = seconds_since(start_);
