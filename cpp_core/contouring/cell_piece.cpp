@@ -26,17 +26,23 @@ class PieceMaker {
       return piece;
     }
     const auto loops = form_loops(arcs);
-    if (!loops || (leaf_.resolved && loops->size() != leaf_.sheets.size())) return piece;
+    if (!loops) return piece;
     bool good = true;
     std::vector<std::pair<std::size_t, std::size_t>> fans;
-    const std::vector<const Sheet*> sheets = sheets_of(*loops);
+    std::vector<const Sheet*> sheets = by_crossings(*loops);
     // All rims first: what is inside the cell comes after them in mesh_.
     std::vector<DrawnLoop> drawn;
     for (const Loop& loop : *loops) drawn.push_back(drawn_loop(loop, piece.rim));
+    find_by_names(drawn, sheets);
+    find_the_last(sheets);
+    if (leaf_.resolved && !every_sheet_has_its_loops(sheets)) return piece;
     for (std::size_t k = 0; k < loops->size(); ++k) {
-      good = good && (sheets[k] || !leaf_.resolved);
+      if (sheets[k] && std::find(sheets.begin(), sheets.begin() + static_cast<std::ptrdiff_t>(k), sheets[k]) != sheets.begin() + static_cast<std::ptrdiff_t>(k)) continue;
       const std::size_t first = mesh_.triangles.size();
-      good = replace(sheets[k] ? *sheets[k] : Sheet(), drawn[k], piece.bound) && good;
+      std::vector<const DrawnLoop*> rims{&drawn[k]};
+      for (std::size_t l = k + 1; l < loops->size() && sheets[k]; ++l)
+        if (sheets[l] == sheets[k]) rims.push_back(&drawn[l]);
+      good = replace(sheets[k] ? *sheets[k] : Sheet(), rims, piece.bound) && good;
       fans.emplace_back(first, mesh_.triangles.size() - first);
     }
     const Triangle* triangles = mesh_.triangles.data();
@@ -53,19 +59,23 @@ class PieceMaker {
 
  private:
   // Appends what stands for one sheet; false if it does not serve.
-  bool replace(const Sheet& sheet, const DrawnLoop& loop, double& bound) {
+  bool replace(const Sheet& sheet, const std::vector<const DrawnLoop*>& loops, double& bound) {
     if (sheet.shape == Sheet::Shape::flats) {
       const std::size_t first = mesh_.triangles.size();
-      if (const auto made = emit_flats(box_, sheet, loop, settings_.margin, mesh_)) {
+      if (const auto made = emit_flats(box_, sheet, loops, settings_.margin, mesh_)) {
         bound = std::max(bound, made->bound);
         return made->bound <= settings_.error &&
                !sheet_folds(mesh_.vertices, mesh_.triangles.data() + first, mesh_.triangles.size() - first, settings_.floats);
       }
     }
-    const Fan fan = make_fan(restriction_.table(), box_, sheet, loop, mesh_.vertices, settings_.error, settings_.margin, settings_.pull);
-    bound = std::max(bound, fan.bound);
-    emit(loop, fan);
-    return fan.bound <= settings_.error;
+    bool near = true;
+    for (const DrawnLoop* loop : loops) {   // closes the mesh; of what is no disk it says nothing
+      const Fan fan = make_fan(restriction_.table(), box_, sheet, *loop, mesh_.vertices, settings_.error, settings_.margin, settings_.pull);
+      bound = std::max(bound, fan.bound);
+      emit(*loop, fan);
+      near = near && fan.bound <= settings_.error;
+    }
+    return near && sheet.disk;
   }
 
   void emit(const DrawnLoop& loop, const Fan& fan) {
@@ -78,16 +88,46 @@ class PieceMaker {
     }
   }
 
-  // A loop's sheet shares crossings with it; the last loop without any has the last sheet. Null: not known.
-  std::vector<const Sheet*> sheets_of(const std::vector<Loop>& loops) const {
+  // A loop's sheet shares crossings with it. Null: not known.
+  std::vector<const Sheet*> by_crossings(const std::vector<Loop>& loops) const {
     std::vector<const Sheet*> found(loops.size(), nullptr);
-    std::vector<char> taken(leaf_.sheets.size(), 0);
     for (std::size_t k = 0; k < loops.size(); ++k)
       for (std::size_t s = 0; s < leaf_.sheets.size() && !found[k]; ++s)
-        if (share_crossing(leaf_.sheets[s], loops[k])) found[k] = &leaf_.sheets[s], taken[s] = 1;
-    if (std::count(found.begin(), found.end(), nullptr) == 1 && std::count(taken.begin(), taken.end(), 0) == 1)
-      *std::find(found.begin(), found.end(), nullptr) = &leaf_.sheets[std::find(taken.begin(), taken.end(), 0) - taken.begin()];
+        if (share_crossing(leaf_.sheets[s], loops[k])) found[k] = &leaf_.sheets[s];
     return found;
+  }
+
+  // The last loop without a sheet has the last sheet without a loop.
+  void find_the_last(std::vector<const Sheet*>& found) const {
+    const Sheet* last = nullptr;
+    std::size_t left = 0;
+    for (const Sheet& sheet : leaf_.sheets)
+      if (std::find(found.begin(), found.end(), &sheet) == found.end()) last = &sheet, ++left;
+    if (left == 1 && std::count(found.begin(), found.end(), nullptr) == 1) *std::find(found.begin(), found.end(), nullptr) = last;
+  }
+
+  // A sheet that is no disk knows the corners on its loops by name.
+  void find_by_names(const std::vector<DrawnLoop>& drawn, std::vector<const Sheet*>& found) const {
+    for (const Sheet& sheet : leaf_.sheets) {
+      if (sheet.disk) continue;
+      std::vector<CornerName> names;
+      for (const FlatPart& part : sheet.flats)
+        for (const auto& cycle : part.cycles)
+          for (const FlatPart::Corner& corner : cycle) names.push_back(corner.name);
+      std::sort(names.begin(), names.end());
+      for (std::size_t k = 0; k < drawn.size(); ++k)
+        if (!found[k] && std::any_of(drawn[k].names.begin(), drawn[k].names.end(), [&](const CornerName& n) { return std::binary_search(names.begin(), names.end(), n); }))
+          found[k] = &sheet;
+    }
+  }
+
+  // A disk has one loop, any other sheet at least one.
+  bool every_sheet_has_its_loops(const std::vector<const Sheet*>& found) const {
+    if (std::count(found.begin(), found.end(), nullptr) != 0) return false;
+    return std::all_of(leaf_.sheets.begin(), leaf_.sheets.end(), [&](const Sheet& sheet) {
+      const auto loops = std::count(found.begin(), found.end(), &sheet);
+      return sheet.disk ? loops == 1 : loops >= 1;
+    });
   }
 
   static bool share_crossing(const Sheet& sheet, const Loop& loop) {

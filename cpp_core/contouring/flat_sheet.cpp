@@ -10,20 +10,31 @@ namespace {
 
 class Emitter {
  public:
-  Emitter(const Box3& cell, const Sheet& sheet, const DrawnLoop& loop, double margin, SurfaceMesh& mesh)
-      : cell_(cell), sheet_(sheet), loop_(loop), margin_(margin), mesh_(mesh) {}
+  Emitter(const Box3& cell, const Sheet& sheet, const std::vector<const DrawnLoop*>& loops, double margin, SurfaceMesh& mesh)
+      : cell_(cell), sheet_(sheet), loops_(loops), margin_(margin), mesh_(mesh) {}
 
   std::optional<FlatSheet> emit() {
-    for (std::size_t k = 0; k < loop_.vertices.size(); ++k)
-      if (named(k) && !at_.emplace(loop_.names[k], k).second) return std::nullopt;
+    std::size_t segments = 0;
+    double gap = 0;
+    for (const DrawnLoop* loop : loops_) {
+      for (std::size_t k = 0; k < loop->vertices.size(); ++k)
+        if (named(*loop, k) && !at_.emplace(loop->names[k], Place{loop, k}).second) return std::nullopt;
+      segments += loop->vertices.size();
+      gap = std::max(gap, loop->gap);
+    }
     for (const FlatPart& part : sheet_.flats)
       if (!add(part)) return std::nullopt;
-    if (on_rim_ != loop_.vertices.size()) return std::nullopt;
-    return FlatSheet{std::max(loop_.gap, moved_)};
+    if (on_rim_ != segments) return std::nullopt;
+    return FlatSheet{std::max(gap, moved_)};
   }
 
  private:
-  bool named(std::size_t k) const { return loop_.names[k][2] != 0; }
+  struct Place {
+    const DrawnLoop* loop;
+    std::size_t k;
+  };
+
+  static bool named(const DrawnLoop& loop, std::size_t k) { return loop.names[k][2] != 0; }
 
   bool add(const FlatPart& part) {
     std::vector<RimEdge> rim;
@@ -50,16 +61,17 @@ class Emitter {
     }
     const auto from = at_.find(corner.name);
     if (from == at_.end()) return false;
-    ring.push_back(loop_.vertices[from->second]);
+    const DrawnLoop& loop = *from->second.loop;
+    ring.push_back(loop.vertices[from->second.k]);
     if (corner.edge < side_label(0)) return true;
     const auto to = at_.find(next.name);
-    if (to == at_.end()) return false;
-    for (std::size_t i = from->second; i != to->second; i = (i + 1) % loop_.vertices.size()) {
-      if (i != from->second) {
-        if (named(i)) return false;
-        ring.push_back(loop_.vertices[i]);
+    if (to == at_.end() || to->second.loop != &loop) return false;
+    for (std::size_t i = from->second.k; i != to->second.k; i = (i + 1) % loop.vertices.size()) {
+      if (i != from->second.k) {
+        if (named(loop, i)) return false;
+        ring.push_back(loop.vertices[i]);
       }
-      on_plane = on_plane && loop_.surfaces[i] == surface;
+      on_plane = on_plane && loop.surfaces[i] == surface;
       ++on_rim_;
     }
     return true;
@@ -85,21 +97,21 @@ class Emitter {
 
   const Box3& cell_;
   const Sheet& sheet_;
-  const DrawnLoop& loop_;
+  const std::vector<const DrawnLoop*>& loops_;
   const double margin_;
   SurfaceMesh& mesh_;
-  std::map<CornerName, std::size_t> at_;   // loop vertices with a name
+  std::map<CornerName, Place> at_;   // loop vertices with a name
   std::map<CornerName, Inner> inner_;
-  std::size_t on_rim_ = 0;                 // segments of the loop that parts have used
+  std::size_t on_rim_ = 0;                 // segments of the loops that parts have used
   double moved_ = 0;
 };
 
 }  // namespace
 
-std::optional<FlatSheet> emit_flats(const Box3& cell, const Sheet& sheet, const DrawnLoop& loop, double margin,
+std::optional<FlatSheet> emit_flats(const Box3& cell, const Sheet& sheet, const std::vector<const DrawnLoop*>& loops, double margin,
                                     SurfaceMesh& mesh) {
   const std::size_t triangles = mesh.triangles.size();
-  auto made = Emitter(cell, sheet, loop, margin, mesh).emit();
+  auto made = Emitter(cell, sheet, loops, margin, mesh).emit();
   if (!made) mesh.triangles.resize(triangles), mesh.surface.resize(triangles);
   return made;
 }

@@ -149,6 +149,10 @@ double largest_sway(const Leaf& leaf) {
   return sway;
 }
 
+bool all_disks(const Leaf& leaf) {
+  return std::all_of(leaf.sheets.begin(), leaf.sheets.end(), [](const Sheet& sheet) { return sheet.disk; });
+}
+
 // Leaves are what fills the memory: nothing in them is kept larger than it has to be.
 void compact(Leaf& leaf) {
   if (leaf.sheets.size() == 1) leaf.sheets.front().crossings = {};
@@ -316,17 +320,18 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
   return accept_star(problem, box, leaf = Leaf());
 }
 
-// V-planes knows E∩C itself: what is no cone is taken over plane by plane, whatever the error.
+// V-planes knows E∩C itself: what is no cone is taken over plane by plane, whatever the error and the topology.
 bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
   auto sheets = plane_sheets(restriction_, problem);
   if (!sheets) return false;
   for (PlaneSheet& plane_sheet : *sheets) {
-    auto sheet = concurrent_sheet(restriction_, box, plane_sheet.surfaces, {});
+    auto sheet = plane_sheet.disk ? concurrent_sheet(restriction_, box, plane_sheet.surfaces, {}) : std::nullopt;
     if (!sheet) {
       sheet = Sheet();
       if (!plane_sheet.contact && !plane_sheet.flats.empty()) {
         sheet->shape = Sheet::Shape::flats;
         sheet->flats = std::move(plane_sheet.flats);
+        sheet->disk = plane_sheet.disk;
       } else if (!small_enough(box)) {
         return false;
       }
@@ -338,7 +343,7 @@ bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf
   }
   if (!leaf.sheets.empty() && !trace_faces(problem, LocalPlanes(), leaf)) return false;
   if (largest_sway(leaf) > 0) {   // some face was not arranged: its arcs are not E's, and no fan over them is
-    if (!small_enough(box)) return false;
+    if (!small_enough(box) || !all_disks(leaf)) return false;
     for (Sheet& sheet : leaf.sheets) sheet.shape = Sheet::Shape::loose, sheet.flats.clear();
   }
   count(statistics_.voxel_planes);
@@ -352,7 +357,8 @@ bool Acceptance::accept_thin(const CellProblem& problem, const Box3& box, const 
   if (!small_enough(box)) return false;
   const FacetTable& table = restriction_.table();
   const auto sheets = plane_sheets(restriction_, problem, local);
-  if (!sheets || (!sheets->empty() && !trace_faces(problem, local, leaf))) return false;
+  if (!sheets || std::any_of(sheets->begin(), sheets->end(), [](const PlaneSheet& s) { return !s.disk; })) return false;
+  if (!sheets->empty() && !trace_faces(problem, local, leaf)) return false;
   for (const PlaneSheet& plane_sheet : *sheets) {
     Sheet sheet;
     sheet.contact = plane_sheet.contact;

@@ -2,8 +2,9 @@
 //
 // Rests on DESIGN §3. A leaf is accepted when every face has a certified trace (face_trace.h) and E∩C is certified to be
 // disjoint disks: V-link and V-cone where solids do not cross, V-planes, V-cone or V-star where they do; and when each disk's
-// shape bounds the distance to the fan that will replace it (sheet_shape.h).
-// Guarantees: an accepted leaf satisfies (E), (F) and (V) of the trace theorem. A refusal proves nothing.
+// shape bounds the distance to the fan that will replace it (sheet_shape.h). Of a sheet that V-planes knows polygon by polygon
+// nothing else is asked: what replaces it has the same polygons, so it may have handles and several loops.
+// Guarantees: an accepted leaf satisfies (E), (F) and (V) of the trace theorem, (V) but for such sheets. A refusal proves nothing.
 #pragma once
 
 #include <optional>

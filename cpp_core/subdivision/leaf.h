@@ -35,7 +35,7 @@ struct GraphLogic {
   std::uint64_t value = 0;
 };
 
-/// One disk of E in the cell, and why what replaces it is near it.
+/// One component of E in the cell, and why what replaces it is near it. A disk, but for flats.
 struct Sheet {
   enum class Shape {
     planar,   ///< on one plane: any fan on the plane is E
@@ -55,6 +55,7 @@ struct Sheet {
   std::vector<Vec3> polygon;             ///< of each other
   std::vector<Crossing> crossings;       ///< crossings (line and surface) that belong to it; empty for a cell's only sheet
   std::vector<FlatPart> flats;           ///< shape flats only
+  bool disk = true;                      ///< false: flats alone can stand for it, and several of the cell's loops may bound it
   bool level = false;                    ///< crease: all its facets face one side of surfaces[0], so it is a graph over it
   std::shared_ptr<const GraphLogic> graph;  ///< shape graph only
   bool contact = false;

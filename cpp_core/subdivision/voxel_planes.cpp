@@ -103,9 +103,9 @@ class Gluing {
       }
     }
     for (const auto& [r, chi] : characteristic) {
-      if (chi != 1 || !has_boundary[r]) return std::nullopt;
+      if (!has_boundary[r]) return std::nullopt;
       sheet_of[r] = static_cast<int>(result.size());
-      result.emplace_back();
+      result.emplace_back().disk = chi == 1;
     }
     std::sort(split_points.begin(), split_points.end());
     std::vector<std::vector<int>> members(result.size());
@@ -121,6 +121,7 @@ class Gluing {
       }
     }
     for (std::size_t s = 0; s < result.size(); ++s) result[s].flats = flat_parts(members[s]);
+    if (std::any_of(result.begin(), result.end(), [](const PlaneSheet& s) { return !s.disk && (s.contact || s.flats.empty()); })) return std::nullopt;
     for (PlaneSheet& sheet : result) {
       std::sort(sheet.surfaces.begin(), sheet.surfaces.end());
       sheet.surfaces.erase(std::unique(sheet.surfaces.begin(), sheet.surfaces.end()), sheet.surfaces.end());

@@ -131,6 +131,20 @@ TEST(MinkowskiSum, TunnelsCloseWhereTheyShould) {
   }
 }
 
+// However thin, a tunnel is one piece of a cell: few cells, and no more triangles than its walls need, in any rotation.
+TEST(MinkowskiSum, ThinTunnelsAreCheapInAnyRotation) {
+  std::mt19937 random(14);
+  for (const double gap : {1e-2, 1e-4}) {
+    const Eigen::Matrix3d rotation = random_rotation(random);
+    const double side = 1 - gap;
+    const Result r = run(&prepare_minkowski_sum, solid(turned(plate_with_hole(), rotation)), solid(turned(box({0, 0, 0}, {side, side, side}), rotation)), 0.1, 1e-7);
+    EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+    expect_result(r, {1, {1}}, (std::pow(3 + side, 2) - gap * gap) * (1 + side), 1e-7, std::to_string(gap));
+    EXPECT_EQ(r.triangles.size(), 32u);
+    EXPECT_LT(r.certificate.statistics.at("cells"), 3000);
+  }
+}
+
 // A cavity stays as long as what is added fits into it with room to move.
 TEST(MinkowskiSum, KeepsCavities) {
   const Mesh hollow = joined({box({0, 0, 0}, {3, 3, 3}), flipped(box({1, 1, 1}, {2, 2, 2}))});

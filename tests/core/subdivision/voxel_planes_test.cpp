@@ -1,6 +1,8 @@
 // V-planes where more than three planes meet. The cell is [12, 16]^3.
 #include "subdivision/voxel_planes.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -57,8 +59,16 @@ TEST(VoxelPlanes, ATipThroughTheTopOfABox) {
   }
 }
 
-// The box from above leaves a ring around the pyramid in the cell: no disk, so nothing is claimed.
-TEST(VoxelPlanes, ARingIsRefused) { EXPECT_FALSE(sheets({pyramid(6, tip), box({1, 1, 13.3}, {31, 31, 31})}, Op::set_union)); }
+// The box from above leaves a ring around the pyramid in the cell: no disk, but known polygon by polygon. Six sides of the pyramid
+// and the box's bottom, which has two cycles: the cell's outline and the pyramid's.
+TEST(VoxelPlanes, ARingIsGivenByItsPolygons) {
+  const auto ring = sheets({pyramid(6, tip), box({1, 1, 13.3}, {31, 31, 31})}, Op::set_union);
+  ASSERT_TRUE(ring);
+  ASSERT_EQ(ring->size(), 1u);
+  EXPECT_FALSE(ring->front().disk);
+  ASSERT_EQ(ring->front().flats.size(), 7u);
+  EXPECT_EQ(std::count_if(ring->front().flats.begin(), ring->front().flats.end(), [](const FlatPart& part) { return part.cycles.size() == 2; }), 1);
+}
 
 // Two operands' tips at one place are eight planes of which nobody knows that they meet: refused, not guessed.
 TEST(VoxelPlanes, TipsOfTwoSolidsAtOnePlaceAreRefused) {
