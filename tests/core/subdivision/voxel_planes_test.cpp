@@ -1,10 +1,9 @@
 // V-planes where more than three planes meet. The cell is [12, 16]^3.
 #include "subdivision/voxel_planes.h"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "subdivision/scene.h"
