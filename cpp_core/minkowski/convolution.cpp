@@ -1,7 +1,10 @@
 #include "minkowski/convolution.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 #include "minkowski/normal_tree.h"
@@ -14,6 +17,22 @@ constexpr double same_point = 4e-15;
 // Edges this nearly parallel span no area that their faces do not cover.
 constexpr double parallel = 1e-13;
 constexpr std::size_t pairs_between_pauses = 1 << 14;
+
+using Key = std::array<std::int64_t, 3>;
+
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t k : key) h = (h ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15u, h ^= h >> 29;
+    return h;
+  }
+};
+
+Key key_of(const Vec3& p, double cube) {
+  Key key;
+  for (int k = 0; k < 3; ++k) key[k] = static_cast<std::int64_t>(std::floor(p[k] / cube));
+  return key;
+}
 
 class Convolving {
  public:
@@ -63,7 +82,7 @@ class Convolving {
       count_pair();
       const SumOperand::Face& face = faces.faces()[i];
       const SumOperand::Vertex& vertex = vertices.vertices()[j];
-      if (face.normals.angle < 1 && !vertices.supports(vertex, face.normals.axis)) return;
+      if (face.normals.angle < 1 && !vertices.supports(vertex, face.normals.axis, face.slack)) return;
       std::array<Origin, 3> corners;
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t v = faces.facets()[face.facet][k];
@@ -113,17 +132,24 @@ class Convolving {
     double scale = 0;
     for (const Vec3& p : points) scale = std::max(scale, p.cwiseAbs().maxCoeff());
     const double near = same_point * scale;
-    std::vector<std::uint32_t> order(points.size()), stands(points.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) order[i] = stands[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      for (int k = 0; k < 3; ++k)
-        if (points[i][k] != points[j][k]) return points[i][k] < points[j][k];
-      return i < j;
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (stands[order[i]] != order[i]) continue;
-      for (std::size_t j = i + 1; j < order.size() && points[order[j]].x() - points[order[i]].x() <= near; ++j)
-        if (stands[order[j]] == order[j] && (points[order[j]] - points[order[i]]).cwiseAbs().maxCoeff() <= near) stands[order[j]] = order[i];
+    std::vector<std::uint32_t> stands(points.size());
+    std::unordered_map<Key, std::vector<std::uint32_t>, KeyHash> kept_near;   // by cubes of a few roundings
+    const double cube = 4 * near + std::numeric_limits<double>::min();
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      if (i % pairs_between_pauses == 0 && settings_.pause) settings_.pause();
+      stands[i] = i;
+      const Vec3& p = points[i];
+      // Only cubes that reach to p count: mostly its own alone.
+      const Key low = key_of(p - Vec3::Constant(near), cube), high = key_of(p + Vec3::Constant(near), cube);
+      for (std::int64_t x = low[0]; x <= high[0] && stands[i] == i; ++x)
+        for (std::int64_t y = low[1]; y <= high[1] && stands[i] == i; ++y)
+          for (std::int64_t z = low[2]; z <= high[2] && stands[i] == i; ++z) {
+            const auto at = kept_near.find({x, y, z});
+            if (at == kept_near.end()) continue;
+            for (const std::uint32_t j : at->second)
+              if ((points[j] - p).cwiseAbs().maxCoeff() <= near) stands[i] = std::min(stands[i], j);
+          }
+      if (stands[i] == i) kept_near[key_of(p, cube)].push_back(i);
     }
     std::vector<std::uint32_t> number(points.size(), UINT32_MAX);
     std::vector<Vec3> kept;

@@ -13,12 +13,10 @@ constexpr double pi = 3.141592653589793;
 // Normals are known to rounding; caps are wider by this, and a slope up to this counts as level.
 constexpr double cap_slack = 1e-7;
 constexpr double level_slack = 1e-11;
+// Sine of the angle between two edges below which the normal of both is not known to cap_slack.
+constexpr double nearly_parallel = 1e-8;
 // All pairs of more edges than this are too many to look for a vertex's extreme normals.
 constexpr std::size_t most_links = 32;
-
-Vec3 normal_of(const std::vector<Vec3>& points, const Triangle& t) {
-  return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
-}
 
 NormalCap cap_around(const std::vector<Vec3>& normals) {
   NormalCap cap;
@@ -51,9 +49,10 @@ SumOperand::SumOperand(PolyhedronPtr solid, const Placement& placement) : inside
     }
   for (const Vec3& p : points_) box_.extend(p);
   for (std::uint32_t t = 0; t < facets_.size(); ++t) {
-    const Vec3 n = normal_of(points_, facets_[t]);
-    if (n.allFinite() && n.squaredNorm() > 0.5) faces_.push_back({t, {n, cap_slack}});
-    else faces_.push_back({t, {Vec3::UnitZ(), pi}});   // a needle's normal is not known
+    const Vec3 u = points_[facets_[t][1]] - points_[facets_[t][0]], v = points_[facets_[t][2]] - points_[facets_[t][0]], n = u.cross(v);
+    const double sine = n.norm() / (u.norm() * v.norm());
+    if (sine > nearly_parallel) faces_.push_back({t, {n.normalized(), cap_slack}, 4e-16 / sine});
+    else faces_.push_back({t, {Vec3::UnitZ(), pi}, 2});   // a needle's normal is not known
   }
   find_edges(neighbours);
   find_vertices(neighbours);
@@ -104,12 +103,16 @@ void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
       cap = mean.norm() > 1e-9 ? NormalCap{mean.normalized(), 0.5 * pi + cap_slack} : NormalCap{Vec3::UnitZ(), pi};
     } else {
       std::vector<Vec3> extreme;
-      bool narrow = false;
+      bool narrow = false, needle = false;
       for (std::size_t i = 0; i < out.size(); ++i)
         for (std::size_t j = i + 1; j < out.size(); ++j) {
           const Vec3 cross = out[i].cross(out[j]);
           const double length = cross.norm();
-          if (!(length > 1e-12)) continue;
+          if (length <= nearly_parallel && out[i].dot(out[j]) > 0) {   // their normals are noise: any is possible
+            needle = true;
+            continue;
+          }
+          if (!(length > 1e-12)) continue;   // one goes on straight where the other ends
           const double slack = level_slack + 1e-15 / length;
           for (const double sense : {1.0, -1.0}) {
             const Vec3 n = sense / length * cross;
@@ -118,8 +121,8 @@ void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
             narrow = narrow || around[v][i].bend < 0 || around[v][j].bend < 0;
           }
         }
-      if (!narrow) continue;
-      cap = cap_around(extreme);
+      if (!narrow && !needle) continue;
+      cap = needle ? NormalCap{Vec3::UnitZ(), pi} : cap_around(extreme);
     }
     const auto first = static_cast<std::uint32_t>(links_.size());
     for (const Link& link : around[v]) links_.push_back(link.vertex);
@@ -127,10 +130,10 @@ void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
   }
 }
 
-bool SumOperand::supports(const Vertex& v, const Vec3& n) const {
+bool SumOperand::supports(const Vertex& v, const Vec3& n, double slack) const {
   for (std::uint32_t k = v.first; k < v.last; ++k) {
     const Vec3 d = points_[links_[k]] - points_[v.vertex];
-    if (n.dot(d) > level_slack * d.norm()) return false;
+    if (n.dot(d) > (level_slack + slack) * d.norm()) return false;
   }
   return true;
 }

@@ -41,6 +41,7 @@ class SumOperand {
   struct Face {
     std::uint32_t facet;
     NormalCap normals;
+    double slack;   ///< how far the axis may be off the normal, radians
   };
 
   const std::vector<Vec3>& points() const { return points_; }
@@ -54,7 +55,7 @@ class SumOperand {
   bool inside_out() const { return inside_out_; }
 
   /// Is the operand nowhere higher than the vertex along n, as far as its edges there go? Conservatively true.
-  bool supports(const Vertex& v, const Vec3& n) const;
+  bool supports(const Vertex& v, const Vec3& n, double slack) const;
   /// The same of an edge and its faces.
   bool supports(const Edge& e, const Vec3& n, double slack) const;
 

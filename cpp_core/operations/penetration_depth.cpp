@@ -7,7 +7,9 @@
 
 #include "minkowski/convolution.h"
 #include "minkowski/meeting.h"
+#include "numerics/predicates.h"
 #include "operations/operand_mesh.h"
+#include "solids/disjoint_sets.h"
 #include "solids/errors.h"
 
 namespace starcell {
@@ -21,6 +23,8 @@ constexpr double beyond_share = 0.05;
 constexpr double rounding = 1e-13;
 constexpr std::size_t steps_between_reports = 256;
 constexpr int most_stand_ins = 16;
+// Pieces are not cut smaller than this, of the error: what rounding hides in them, it hides in smaller ones.
+constexpr double smallest_share = 1.0 / 64;
 
 // Where a facet's point x lies between its corners.
 Vec3 weights(const std::array<Vec3, 3>& t, const Vec3& x) {
@@ -33,16 +37,16 @@ Vec3 weights(const std::array<Vec3, 3>& t, const Vec3& x) {
   return w / w.sum();
 }
 
-// The triangle's point nearest to the origin.
+// A point of the triangle; but for needles the nearest to the origin.
 Vec3 nearest_to_origin(const std::array<Vec3, 3>& t) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0];
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), ua = u.dot(t[0]), va = v.dot(t[0]);
   const double det = uu * vv - uv * uv;
+  Vec3 best = t[0];
   if (det > 0) {
     const double s = (uv * va - vv * ua) / det, r = (uv * ua - uu * va) / det;
-    if (s >= 0 && r >= 0 && s + r <= 1) return t[0] + s * u + r * v;
+    if (s >= 0 && r >= 0 && s + r <= 1) best = t[0] + s * u + r * v;
   }
-  Vec3 best = t[0];
   for (int k = 0; k < 3; ++k) {
     const Vec3 &p = t[k], d = t[(k + 1) % 3] - p;
     const double length = d.squaredNorm();
@@ -50,6 +54,13 @@ Vec3 nearest_to_origin(const std::array<Vec3, 3>& t) {
     if (q.squaredNorm() < best.squaredNorm()) best = q;
   }
   return best;
+}
+
+// However near x is to the nearest point: all of the triangle is as far along x as its least corner.
+double distance_of(const std::array<Vec3, 3>& t, const Vec3& x) {
+  const double length = x.norm();
+  if (!(length > 0)) return 0;
+  return std::max(0.0, std::min({t[0].dot(x), t[1].dot(x), t[2].dot(x)}) / length);
 }
 
 struct Piece {
@@ -65,8 +76,10 @@ struct Piece {
 
 class Search {
  public:
-  Search(const SumOperand& a, const SumOperand& b, double error, const Options& options, const Clock& clock)
-      : a_(a), b_(b), error_(error), options_(options), clock_(clock), meeting_(a, b),
+  /// `deflection`: what the meshes may lack of the solids, added up: the way out keeps as far from them.
+  /// `convex`: both solids are, so that their sum deflects no more than they do.
+  Search(const SumOperand& a, const SumOperand& b, double error, double deflection, bool convex, const Options& options, const Clock& clock)
+      : a_(a), b_(b), error_(error), deflection_(deflection), convex_(convex), options_(options), clock_(clock), meeting_(a, b),
         facets_(convolve(a, b, {true, [this] { report("adding faces, edges and vertices"); }})) {
     for (const Vec3& p : facets_.points) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
     slack_ = rounding * scale_;
@@ -81,11 +94,18 @@ class Search {
     }
     // Every facet is part of the sum: seen from outside, the nearest of them is as far as the sum.
     const auto overlap = origin_inside();
-    if (overlap == std::optional(false)) return apart();
+    if (overlap == std::optional(false)) {
+      apart();
+      if (queue_.top().distance > deflection_) return result_;
+    } else if (deflection_ > 0) {
+      result_.separation_upper = deflection_;   // meshes that overlap do not prove that the solids do
+    }
     leave_the_box();
     while (!queue_.empty() && upper_ - lower_ > error_ && go_on()) step();
-    if (queue_.empty()) lower_ = upper_;
-    result_.lower = overlap ? std::clamp(lower_, 0.0, upper_) : 0;
+    lower_ = std::min(queue_.empty() ? upper_ : lower_, open_);
+    const bool proved = overlap == std::optional(true) && (deflection_ == 0 || convex_);
+    result_.lower = proved ? std::clamp(lower_ - deflection_, 0.0, upper_) : 0;
+    if (result_.lower > 0) result_.separation_upper = 0;
     result_.upper = upper_;
     result_.direction = out_.normalized();
     result_.pieces = made_;
@@ -94,13 +114,11 @@ class Search {
   }
 
  private:
-  PenetrationDepth apart() {
-    const double distance = queue_.top().distance;
-    result_.separation_lower = distance;
-    result_.separation_upper = distance + 2 * slack_;
-    find_points(queue_.top().facet, nearest_to_origin(queue_.top().corners));
+  void apart() {
+    result_.separation_lower = std::max(0.0, queue_.top().distance - deflection_);
+    result_.separation_upper = nearest_.norm() + 2 * slack_ + deflection_;
+    find_points(nearest_facet_, nearest_);
     result_.pieces = made_;
-    return result_;
   }
 
   // Nearer than all facets every point is where the origin is: of an origin in line with a face or an edge, another one is asked.
@@ -127,7 +145,9 @@ class Search {
   }
 
   void push(std::uint32_t facet, const std::array<Vec3, 3>& corners, const Vec3& outward, double least) {
-    const double distance = std::max(least, nearest_to_origin(corners).norm() - slack_);
+    const Vec3 x = nearest_to_origin(corners);
+    if (made_ == 0 || x.squaredNorm() < nearest_.squaredNorm()) nearest_ = x, nearest_facet_ = facet;
+    const double distance = std::max(least, distance_of(corners, x) - slack_);
     if (distance < upper_) queue_.push({distance, made_++, facet, corners, outward});
   }
 
@@ -136,7 +156,7 @@ class Search {
     for (int axis = 0; axis < 3; ++axis)
       for (const double to : {box_.min()[axis], box_.max()[axis]}) {
         Vec3 v = Vec3::Zero();
-        v[axis] = to + (to < 0 ? -2 : 2) * slack_;
+        v[axis] = to + (to < 0 ? -1 : 1) * (2 * slack_ + deflection_);
         if (v.norm() < upper_) upper_ = v.norm(), out_ = v;
       }
     // The facet that reaches farthest that way holds the box's side.
@@ -155,7 +175,7 @@ class Search {
       return;
     }
     const Vec3 nearest = nearest_to_origin(piece.corners);
-    if (piece.outward.allFinite()) try_out(nearest + std::max(beyond_share * error_, 4 * slack_) * piece.outward, piece.facet);
+    if (piece.outward.allFinite()) try_out(nearest + (1.01 * deflection_ + std::max(beyond_share * error_, 4 * slack_)) * piece.outward, piece.facet);
     Box3 around;
     for (const Vec3& p : piece.corners) around.extend(p);
     const Box3 padded(around.min() - Vec3::Constant(slack_), around.max() + Vec3::Constant(slack_));
@@ -165,7 +185,7 @@ class Search {
     double length = 0;
     for (int k = 0; k < 3; ++k)
       if (const double l = (piece.corners[(k + 1) % 3] - piece.corners[k]).norm(); l > length) length = l, longest = k;
-    if (length <= 64 * slack_) {
+    if (length <= std::max(64 * slack_, smallest_share * error_)) {
       open_ = std::min(open_, piece.distance);
       return;
     }
@@ -178,10 +198,18 @@ class Search {
   }
 
   void try_out(const Vec3& v, std::uint32_t facet) {
-    if (v.norm() >= upper_ || meeting_.at(v) != std::optional(false)) return;
+    if (v.norm() >= upper_ || meeting_.at(v) != std::optional(false) || !keeps_clear(v)) return;
     upper_ = v.norm() * (1 + 1e-15);
     out_ = v;
     touching_ = facet;
+  }
+
+  // No facet of the sum is nearer to v than the deflection.
+  bool keeps_clear(const Vec3& v) const {
+    return deflection_ == 0 || std::all_of(facets_.facets.begin(), facets_.facets.end(), [&](const Triangle& t) {
+      const std::array<Vec3, 3> corners{facets_.points[t[0]] - v, facets_.points[t[1]] - v, facets_.points[t[2]] - v};
+      return distance_of(corners, nearest_to_origin(corners)) - slack_ >= deflection_;
+    });
   }
 
   bool go_on() {
@@ -199,7 +227,8 @@ class Search {
 
   const SumOperand& a_;
   const SumOperand& b_;
-  const double error_;
+  const double error_, deflection_;
+  const bool convex_;
   const Options& options_;
   const Clock& clock_;
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
@@ -211,9 +240,37 @@ class Search {
   double open_ = std::numeric_limits<double>::infinity();
   Vec3 out_ = Vec3::UnitX();
   std::uint32_t touching_ = 0;   // the facet that out_ comes from
+  Vec3 nearest_ = Vec3::Zero();  // of all facets' points
+  std::uint32_t nearest_facet_ = 0;
   std::size_t made_ = 0, steps_ = 0;
   PenetrationDepth result_;
 };
+
+// Closed, in one piece and nowhere reflex. A tessellation says nothing of its solid.
+bool is_convex(const Polyhedron& solid) {
+  if (solid.provenance().deflection > 0 || solid.provenance().moved > 0) return false;
+  DisjointSets pieces(solid.vertices().size());
+  const std::vector<Triangle>& facets = solid.triangles();
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const Triangle& t = facets[f];
+    for (int k = 0; k < 3; ++k) {
+      pieces.join(pieces.root(t[0]), pieces.root(t[k]));
+      for (const std::uint32_t apex : facets[solid.neighbours()[f][k]])
+        if (side(solid.vertices()[t[0]], solid.vertices()[t[1]], solid.vertices()[t[2]], solid.vertices()[apex]) > 0) return false;
+    }
+  }
+  return std::all_of(facets.begin(), facets.end(), [&](const Triangle& t) { return pieces.root(t[0]) == pieces.root(facets[0][0]); });
+}
+
+bool is_convex(const Expression& solid) {
+  switch (solid.kind()) {
+    case Expression::Kind::half_space: return true;
+    case Expression::Kind::polyhedron: return is_convex(*solid.polyhedron());
+    case Expression::Kind::curved: return solid.curved()->kind() != CurvedSolid::Kind::torus && solid.curved()->kind() != CurvedSolid::Kind::quadric;
+    case Expression::Kind::intersection: return std::all_of(solid.operands().begin(), solid.operands().end(), [](const Expression& e) { return is_convex(e); });
+    default: return false;
+  }
+}
 
 }  // namespace
 
@@ -229,14 +286,8 @@ PenetrationDepth penetration_depth(const Expression& a, const Expression& b, con
   }
   const double deflection = one->provenance().deflection + one->provenance().moved + other->provenance().deflection + other->provenance().moved;
   const SumOperand placed(one, {}), turned(other, {true, false});
-  PenetrationDepth depth = Search(placed, turned, std::max(error - 2 * deflection, 0.25 * error), options, clock).run();
+  PenetrationDepth depth = Search(placed, turned, std::max(error - deflection, 0.25 * error), deflection, is_convex(a) && is_convex(b), options, clock).run();
   depth.deflection = deflection;
-  const auto widen = [&](double& low, double& high) { low = std::max(0.0, low - deflection), high += deflection; };
-  const bool overlap = depth.upper > 0;
-  if (overlap) widen(depth.lower, depth.upper);
-  else widen(depth.separation_lower, depth.separation_upper);
-  // Meshes that are apart by less than they deflect: the solids may overlap by as much.
-  if (!overlap && depth.separation_lower == 0 && deflection > 0) depth.upper = deflection;
   return depth;
 }
 

@@ -31,7 +31,7 @@ PenetrationDepth measure(const Expression& a, const Expression& b, std::optional
 
 void bind_penetration_depth(py::module_& module) {
   py::class_<PenetrationDepth>(module, "PenetrationDepth", "Certified bounds of how deep two Solids overlap, or of how far apart they are; lengths in model units.")
-      .def_readonly("lower", &PenetrationDepth::lower, "No shorter translation separates the solids, model units; 0 if they do not overlap.")
+      .def_readonly("lower", &PenetrationDepth::lower, "No shorter translation separates the solids, model units; 0 if they do not overlap, or that is not proved.")
       .def_readonly("upper", &PenetrationDepth::upper, "So long a translation along `direction` does, model units; 0 if they do not overlap.")
       .def_property_readonly("depth", [](const PenetrationDepth& d) { return d.upper; }, "The upper bound, model units.")
       .def_property_readonly("direction", [](const PenetrationDepth& d) { return py::make_tuple(d.direction.x(), d.direction.y(), d.direction.z()); },
@@ -52,7 +52,8 @@ void bind_penetration_depth(py::module_& module) {
              py::arg("progress") = py::none(),
              "How far the Solid b has to be moved to come free of the Solid a, as a PenetrationDepth: lower and upper bound, and the way out. 0 if "
              "they do not overlap; then the bounds of their separation.\n\nerror: upper - lower at most, model units; None: a hundredth of the smaller "
-             "solid's longest side. Curved solids are meshed within a share of it. budget: Budget, of which max_seconds counts; bounds are as far "
+             "solid's longest side. Curved solids are meshed within a share of it; a mesh may close a gap that its solid has, so unless both solids are convex lower is "
+             "0 then. budget: Budget, of which max_seconds counts; bounds are as far "
              "apart as they are when it ends. progress as for evaluate(). Raises UnboundedError, CancelledError, ValueError naming the argument. "
              "Source: T§4.3.");
 }

@@ -149,6 +149,16 @@ double largest_sway(const Leaf& leaf) {
   return sway;
 }
 
+// Candidate facets of both senses on one surface: two walls may be there, nearer to each other than rounding tells.
+bool turned_both_ways(const FacetTable& table, const CellProblem& problem) {
+  if (problem.candidates(table) == 0) return false;
+  std::vector<std::pair<std::uint32_t, bool>> senses;
+  for (const std::uint32_t f : problem.facets)
+    if (table.candidate(table.operand_of(f))) senses.emplace_back(table.surface[f], table.is_along(f));
+  std::sort(senses.begin(), senses.end());
+  return std::adjacent_find(senses.begin(), senses.end(), [](const auto& x, const auto& y) { return x.first == y.first && x.second != y.second; }) != senses.end();
+}
+
 bool all_disks(const Leaf& leaf) {
   return std::all_of(leaf.sheets.begin(), leaf.sheets.end(), [](const Sheet& sheet) { return sheet.disk; });
 }
@@ -296,7 +306,7 @@ bool Acceptance::accept_cone(const CellProblem& problem, const Box3& box, Leaf& 
   if (!cone || cone->shape != Sheet::Shape::corner || !degenerate(table, cone->surfaces) || !trace_faces(problem, LocalPlanes(), leaf) || largest_sway(leaf) > 0) return false;
   const auto loops = leaf_loops(leaf);
   if (!loops) return false;
-  leaf.contact = leaf.contact || loops->size() > 1 || !meet_by_construction(table, problem.facets, *cone, box);
+  leaf.contact = leaf.contact || loops->size() > 1 || turned_both_ways(table, problem) || !meet_by_construction(table, problem.facets, *cone, box);
   for (const Loop& loop : *loops) {
     Sheet sheet;
     sheet.shape = Sheet::Shape::corner;
@@ -322,9 +332,10 @@ bool Acceptance::accept_crossing(const CellProblem& problem, const Box3& box, Le
 
 // V-planes knows E∩C itself: what is no cone is taken over plane by plane, whatever the error and the topology.
 bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf& leaf) const {
-  auto sheets = plane_sheets(restriction_, problem);
-  if (!sheets) return false;
-  for (PlaneSheet& plane_sheet : *sheets) {
+  auto found = plane_sheets(restriction_, problem);
+  if (!found) return false;
+  leaf.contact = found->touching;
+  for (PlaneSheet& plane_sheet : found->sheets) {
     auto sheet = plane_sheet.disk ? concurrent_sheet(restriction_, box, plane_sheet.surfaces, {}) : std::nullopt;
     if (!sheet) {
       sheet = Sheet();
@@ -356,10 +367,11 @@ bool Acceptance::accept_planes(const CellProblem& problem, const Box3& box, Leaf
 bool Acceptance::accept_thin(const CellProblem& problem, const Box3& box, const LocalPlanes& local, Leaf& leaf) const {
   if (!small_enough(box)) return false;
   const FacetTable& table = restriction_.table();
-  const auto sheets = plane_sheets(restriction_, problem, local);
-  if (!sheets || std::any_of(sheets->begin(), sheets->end(), [](const PlaneSheet& s) { return !s.disk; })) return false;
-  if (!sheets->empty() && !trace_faces(problem, local, leaf)) return false;
-  for (const PlaneSheet& plane_sheet : *sheets) {
+  const auto found = plane_sheets(restriction_, problem, local);
+  if (!found || std::any_of(found->sheets.begin(), found->sheets.end(), [](const PlaneSheet& s) { return !s.disk; })) return false;
+  leaf.contact = found->touching;
+  if (!found->sheets.empty() && !trace_faces(problem, local, leaf)) return false;
+  for (const PlaneSheet& plane_sheet : found->sheets) {
     Sheet sheet;
     sheet.contact = plane_sheet.contact;
     leaf.contact = leaf.contact || plane_sheet.contact;

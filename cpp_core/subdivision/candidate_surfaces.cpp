@@ -8,7 +8,7 @@ namespace starcell {
 namespace {
 
 // Normals are looked up in cubes of this size; facets so small that the tolerance turns them farther stay on their own.
-constexpr double cube = 1e-3;
+constexpr double cube = 1e-6;
 
 using Key = std::array<int, 3>;
 
@@ -19,15 +19,24 @@ void find_candidate_surfaces(FacetTable& table, std::uint32_t first, std::uint32
   std::vector<Vec3> normal(n);
   std::vector<double> area(n);
   std::vector<std::uint32_t> order(n);
-  std::map<Key, std::vector<std::uint32_t>> unassigned;   // a normal and its opposite are one
+  struct Placed {
+    double height;   // along its own normal
+    std::uint32_t facet;
+  };
+  std::map<Key, std::vector<Placed>> unassigned;   // by normals
+  double scale = 0;
   const auto key_of = [](const Vec3& v) { return Key{static_cast<int>(std::floor(v.x() / cube)), static_cast<int>(std::floor(v.y() / cube)), static_cast<int>(std::floor(v.z() / cube))}; };
   for (std::uint32_t k = 0; k < n; ++k) {
     order[k] = k;
     const Vec3 v = table.area_vector(first + k);
     area[k] = v.norm();
     normal[k] = area[k] > 0 ? Vec3(v / area[k]) : Vec3::UnitX();
-    unassigned[key_of(normal[k])].push_back(k);
+    for (int c = 0; c < 3; ++c) scale = std::max(scale, table.corner(first + k, c).norm());
+    unassigned[key_of(normal[k])].push_back({normal[k].dot(table.corner(first + k, 0)), k});
   }
+  for (auto& [key, placed] : unassigned) std::stable_sort(placed.begin(), placed.end(), [](const Placed& x, const Placed& y) { return x.height < y.height; });
+  // Normals in neighbouring cubes: heights of one plane differ by this at most.
+  const double window = 4 * cube * scale + tolerance;
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return area[a] > area[b]; });
   table.surface.resize(last, UINT32_MAX);
   for (const std::uint32_t seed : order) {
@@ -43,12 +52,10 @@ void find_candidate_surfaces(FacetTable& table, std::uint32_t first, std::uint32
           for (int k = -1; k <= 1; ++k) {
             const auto at = unassigned.find({middle[0] + i, middle[1] + j, middle[2] + k});
             if (at == unassigned.end()) continue;
-            std::erase_if(at->second, [&](std::uint32_t f) {
-              if (table.surface[first + f] != UINT32_MAX) return true;
-              if (f != seed && table.distance(plane, first + f) > tolerance) return false;
-              table.surface[first + f] = id;
-              return true;
-            });
+            const double height = sense * plane.offset;
+            auto from = std::lower_bound(at->second.begin(), at->second.end(), height - window, [](const Placed& x, double h) { return x.height < h; });
+            for (; from != at->second.end() && from->height <= height + window; ++from)
+              if (table.surface[first + from->facet] == UINT32_MAX && table.distance(plane, first + from->facet) <= tolerance) table.surface[first + from->facet] = id;
           }
     }
     table.surface[first + seed] = id;

@@ -88,6 +88,8 @@ struct FacetTable {
   Box3 box(std::uint32_t facet) const;
   bool is_merged(std::uint32_t point) const { return point < merged.size() && merged[point]; }
   const Vec3& corner(std::uint32_t facet, int k) const { return points[corners[facet][k]]; }
+  /// Does the facet face the way its surface's plane does?
+  bool is_along(std::uint32_t facet) const { return area_vector(facet).dot(surfaces[surface[facet]].normal) > 0; }
   Vec3 area_vector(std::uint32_t facet) const {
     const Vec3& a = corner(facet, 0);
     return 0.5 * (corner(facet, 1) - a).cross(corner(facet, 2) - a);

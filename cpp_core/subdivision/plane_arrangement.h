@@ -38,6 +38,8 @@ class PlaneArrangement {
   int count() const { return static_cast<int>(surfaces_.size()); }
   const std::vector<std::uint32_t>& surfaces() const { return surfaces_; }
   const std::vector<PlanePolygon>& polygons() const { return polygons_; }
+  /// Two walls of one candidate solid, nearer to each other than rounding tells: what is between them is not among the polygons.
+  bool touching() const { return touching_; }
   const PointName& name(int point) const { return names_[point]; }
   Vec3 place(int point) const { return points_[point].middle() + box_.min(); }
   /// Is the polygon on the positive side of a plane that does not carry it?
@@ -71,8 +73,15 @@ class PlaneArrangement {
   bool split(PlanePolygon& part, int j, std::vector<PlanePolygon>& out);
   bool keep_boundary();
   bool certainly_inside(const PlanePolygon& polygon, const Vec3& middle);
-  Membership covering(int plane, const Vec3& x) const;
-  bool candidates_beside(const PlanePolygon& polygon, const Vec3& middle, Membership& around, Membership& flips);
+  struct Cover {
+    Membership flips = 0;      // solids whose facets cover the point
+    Membership opposed = 0;    // candidates among them with facets of both senses there
+  };
+  Cover covering(int plane, const Vec3& x) const;
+  bool holds_around(std::size_t slot, const Vec3& x) const;
+  bool opposed_at(const Vec3& x, std::initializer_list<int> planes) const;
+  void look_between_walls();
+  bool candidates_beside(const PlanePolygon& polygon, const Vec3& middle, Membership opposed, Membership& around, Membership& flips);
   std::uint32_t surface_of(std::uint32_t facet) const { return local_.of(restriction_.table().surface[facet]); }
 
   const Restriction& restriction_;
@@ -89,6 +98,7 @@ class PlaneArrangement {
   std::vector<int> point_star_;   // which star's vertex a point is, or -1
   std::vector<PointName> names_;
   std::vector<PlanePolygon> polygons_;
+  bool touching_ = false;
 };
 
 }  // namespace starcell

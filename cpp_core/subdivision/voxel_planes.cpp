@@ -223,11 +223,13 @@ class Gluing {
 
 }  // namespace
 
-std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem,
-                                                    const LocalPlanes& local) {
+std::optional<PlaneSheets> plane_sheets(const Restriction& restriction, const CellProblem& problem,
+                                        const LocalPlanes& local) {
   PlaneArrangement arrangement(restriction, problem, local);
   if (!arrangement.build(max_cell_planes)) return std::nullopt;
-  return Gluing(arrangement, problem).glue();
+  auto sheets = Gluing(arrangement, problem).glue();
+  if (!sheets) return std::nullopt;
+  return PlaneSheets{std::move(*sheets), arrangement.touching()};
 }
 
 }  // namespace starcell

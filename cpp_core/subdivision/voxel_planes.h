@@ -24,9 +24,14 @@ struct PlaneSheet {
   bool disk = true;                      ///< if not: connected, with some of the cell's loops for its boundary, and without contact
 };
 
+struct PlaneSheets {
+  std::vector<PlaneSheet> sheets;
+  bool touching = false;                 ///< two walls of one candidate solid meet on a plane, and E's part between them is not seen
+};
+
 constexpr std::size_t max_cell_planes = 16;
 
-std::optional<std::vector<PlaneSheet>> plane_sheets(const Restriction& restriction, const CellProblem& problem,
-                                                    const LocalPlanes& local = LocalPlanes());
+std::optional<PlaneSheets> plane_sheets(const Restriction& restriction, const CellProblem& problem,
+                                        const LocalPlanes& local = LocalPlanes());
 
 }  // namespace starcell

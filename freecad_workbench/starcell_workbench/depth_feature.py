@@ -35,11 +35,11 @@ class PenetrationDepth(Stateless):
                     "App::Property", "How far apart the two bounds may be; 0: a hundredth of the smaller solid's longest side"), 0),
                 ("App::PropertyLinkListGlobal", "Frames", given, QT_TRANSLATE_NOOP(
                     "App::Property", "Containers whose placement moves a solid against the other"), HIDDEN | OUTPUT),
-                ("App::PropertyLength", "DepthLower", found, QT_TRANSLATE_NOOP("App::Property", "No shorter move separates the solids; 0: they do not overlap"),
+                ("App::PropertyLength", "DepthLower", found, QT_TRANSLATE_NOOP("App::Property", "No shorter move separates the solids; 0: none is proved"),
                  READ_ONLY | OUTPUT),
                 ("App::PropertyLength", "DepthUpper", found, QT_TRANSLATE_NOOP(
                     "App::Property", "A move of this length along Direction separates them; 0: they do not overlap"), READ_ONLY | OUTPUT),
-                ("App::PropertyVector", "Direction", found, QT_TRANSLATE_NOOP("App::Property", "The way out for the second solid, of length 1; 0 if they do not overlap"),
+                ("App::PropertyVector", "Direction", found, QT_TRANSLATE_NOOP("App::Property", "The way out for the second solid, of length 1; 0 if none is needed"),
                  READ_ONLY | OUTPUT),
                 ("App::PropertyLength", "ClearanceLower", found, QT_TRANSLATE_NOOP("App::Property", "The solids are at least this far apart; 0: they may touch"),
                  READ_ONLY | OUTPUT),
@@ -108,7 +108,8 @@ def in_words(obj, deflection):
         text = translate("StarCell", "The solids overlap. No move shorter than {} separates them; moving '{}' by {} along ({:.6g}, {:.6g}, {:.6g}) does.").format(
             lengths.show(obj.DepthLower, down=True), obj.Second.Label, lengths.show(obj.DepthUpper), *obj.Direction)
         if not obj.DepthLower.Value:
-            text = translate("StarCell", "The solids touch, or overlap by {} at most.").format(lengths.show(obj.DepthUpper))
+            text = translate("StarCell", "The solids touch or may overlap: moving '{}' by {} along ({:.6g}, {:.6g}, {:.6g}) separates them, and no least depth is "
+                                         "proved.").format(obj.Second.Label, lengths.show(obj.DepthUpper), *obj.Direction)
     else:
         text = translate("StarCell", "The solids are apart, by at least {} and at most {}.").format(
             lengths.show(obj.ClearanceLower, down=True), lengths.show(obj.ClearanceUpper))

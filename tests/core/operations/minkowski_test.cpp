@@ -145,6 +145,25 @@ TEST(MinkowskiSum, ThinTunnelsAreCheapInAnyRotation) {
   }
 }
 
+// What rounding cannot tell apart is no proof of its topology: a gap, a tunnel or a neck of 0 or 1e-12 is a contact.
+TEST(MinkowskiSum, OfAnExactFitIsAContact) {
+  const Expression unit = solid(box({0, 0, 0}, {1, 1, 1}));
+  for (const double gap : {0.0, 1e-13, 1e-12}) {
+    const Mesh apart = joined({box({0, 0, 0}, {1, 1, 1}), box({2 + gap, 0, 0}, {3, 1, 1})});
+    EXPECT_EQ(sum(apart, box({0, 0, 0}, {1, 1, 1}), 0.05).certificate.verdict, Verdict::contact) << gap;
+    const Expression hole = solid(box({0, 0, 0}, {3, 3, 1})) - solid(box({1, 1, -1}, {2 + gap, 2 + gap, 2}));
+    const Result plate = evaluate(hole, with_error(0.01));
+    EXPECT_EQ(run(&prepare_minkowski_sum, solid(Mesh{plate.vertices, plate.triangles}), unit, 0.05).certificate.verdict, Verdict::contact) << gap;
+    const Expression neck = Expression::set_union({solid(box({0, 0, 0}, {3, 3, 3})), solid(box({2.5, 1, 1}, {7.5, 2 + gap, 2 + gap})), solid(box({7, 0, 0}, {10, 3, 3}))});
+    const Result dumbbell = evaluate(neck, with_error(0.01));
+    EXPECT_EQ(run(&prepare_erosion, solid(Mesh{dumbbell.vertices, dumbbell.triangles}), unit, 0.05).certificate.verdict, Verdict::contact) << gap;
+  }
+  const Mesh wider = joined({box({0, 0, 0}, {1, 1, 1}), box({2 + 1e-9, 0, 0}, {3, 1, 1})});
+  const Result two = sum(wider, box({0, 0, 0}, {1, 1, 1}), 0.05);
+  EXPECT_EQ(two.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(two.certificate.components, 2);
+}
+
 // A cavity stays as long as what is added fits into it with room to move.
 TEST(MinkowskiSum, KeepsCavities) {
   const Mesh hollow = joined({box({0, 0, 0}, {3, 3, 3}), flipped(box({1, 1, 1}, {2, 2, 2}))});

@@ -100,6 +100,38 @@ TEST(PenetrationDepth, OfCurvedSolidsHoldsTheTruth) {
   EXPECT_GT(d.deflection, 0);
 }
 
+// A disc lies loose in a cavity, with less room than the mesh of the cavity leaves: the mesh is stuck in it, the solid is not.
+TEST(PenetrationDepth, AMeshProvesNoOverlapOfWhatIsNotConvex) {
+  const Expression hollow = Expression::difference(solid(box({-2, -2, -2}, {2, 2, 2})), Expression(CurvedSolid::sphere(Vec3::Zero(), 1)));
+  const Expression disc(CurvedSolid::cylinder({0, 0, -0.05}, Vec3::UnitZ(), std::sqrt(0.998 * 0.998 - 0.05 * 0.05), 0.1));
+  const PenetrationDepth d = penetration_depth(hollow, disc, with_error(0.1));
+  EXPECT_EQ(d.lower, 0);
+  EXPECT_LE(d.separation_lower, 0.002);
+  EXPECT_GE(d.separation_upper, 0.002);
+}
+
+// Needles have no normals to trust: the bound of their distance is taken from their corners.
+TEST(PenetrationDepth, OfNeedlesIsNoMoreThanTheTruth) {
+  std::mt19937 random(21);
+  for (int k = 0; k < 20; ++k) {
+    const Eigen::Matrix3d rotation = random_rotation(random);
+    const double width = 1e-5 * (1 + k), gap = 1e-7;
+    const Mesh plate = turned(box({-1, -0.5 * width, -1}, {1, 0.5 * width, 0}), rotation);
+    Mesh tip = tetrahedron();
+    for (Vec3& p : tip.vertices) p = rotation * Vec3(p.x(), p.y(), p.z() + gap + 0.1);
+    const PenetrationDepth d = depth_of(plate, tip, 1e-3);
+    // The truth is no more than the distance of any two points.
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& p : tip.vertices) {
+      const Vec3 local = rotation.transpose() * p;
+      const Vec3 on(std::clamp(local.x(), -1.0, 1.0), std::clamp(local.y(), -0.5 * width, 0.5 * width), std::clamp(local.z(), -1.0, 0.0));
+      least = std::min(least, (local - on).norm());
+    }
+    EXPECT_LE(d.separation_lower, least + 1e-13) << width;
+    EXPECT_GE(d.separation_upper, d.separation_lower);
+  }
+}
+
 TEST(PenetrationDepth, RefusesWhatIsEmpty) {
   const Expression nothing = solid(box({0, 0, 0}, {1, 1, 1})) & solid(box({5, 5, 5}, {6, 6, 6}));
   EXPECT_THROW(penetration_depth(nothing, solid(box({0, 0, 0}, {1, 1, 1})), with_error(0.1)), std::invalid_argument);

@@ -29,7 +29,9 @@ Mesh pyramid(std::uint32_t n, const Vec3& tip) {
 
 std::optional<std::vector<PlaneSheet>> sheets(const std::vector<Mesh>& meshes, Op op) {
   const Scene scene(meshes, op);
-  return plane_sheets(scene.restriction, scene.at({12, 12, 12}, 4));
+  auto found = plane_sheets(scene.restriction, scene.at({12, 12, 12}, 4));
+  if (!found) return std::nullopt;
+  return std::move(found->sheets);
 }
 
 const Vec3 tip(13.9, 14.1, 14.2);
