@@ -98,8 +98,8 @@ class Options(unittest.TestCase):
 
 
 class Budgets(unittest.TestCase):
-    # Two boxes turned against one another cannot be told apart from their crossing edges in eight cells.
-    HARD = (UNIT - THROUGH).transformed(rotation((1, 1, 0.2), 0.4)) | sc.Box((0.1, 0.2, 0.3), (1.3, 0.6, 1.7))
+    # Six boxes turned against one another: in each of eight cells there are more planes than one cell is looked at for.
+    HARD = sc.union([(UNIT - THROUGH).transformed(rotation((1, 1, 0.2), 0.4 + 0.3 * k)) for k in range(5)] + [sc.Box((0.1, 0.2, 0.3), (1.3, 0.6, 1.7))])
 
     def test_a_spent_budget_is_unresolved_and_says_where(self):
         result = sc.evaluate(self.HARD, error=0.01, budget=sc.Budget(max_depth=1))
