@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <stdexcept>
 
 #include "minkowski/convolution.h"
+#include "minkowski/facet_tree.h"
 #include "minkowski/meeting.h"
 #include "numerics/predicates.h"
+#include "operations/offset.h"
 #include "operations/operand_mesh.h"
 #include "solids/disjoint_sets.h"
 #include "solids/errors.h"
@@ -17,6 +20,9 @@ namespace {
 
 // What tessellating one operand may take of the error; twice the sum of both widens the bounds.
 constexpr double tessellation_share = 0.12;
+// Solids that are not both convex have a lower bound of their own, from meshes inside them: what tessellating one of those may take, and
+// what the searches for the upper and for the lower bound leave open.
+constexpr double inner_share = 0.06, upper_share = 0.4, lower_share = 0.05;
 // How far beyond a facet a way out is looked for, of the error.
 constexpr double beyond_share = 0.05;
 // Of coordinates: what rounding a + b and a distance may cost.
@@ -81,12 +87,14 @@ class Search {
   Search(const SumOperand& a, const SumOperand& b, double error, double deflection, bool convex, const Options& options, const Clock& clock)
       : a_(a), b_(b), error_(error), deflection_(deflection), convex_(convex), options_(options), clock_(clock), meeting_(a, b),
         facets_(convolve(a, b, {true, [this] { report("adding faces, edges and vertices"); }})) {
+    if (deflection_ > 0) tree_.emplace(facets_.points, facets_.facets);
     for (const Vec3& p : facets_.points) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
     slack_ = rounding * scale_;
     box_ = Box3(a.box().min() + b.box().min(), a.box().max() + b.box().max());
   }
 
-  PenetrationDepth run() {
+  /// A lower bound of `enough` ends the search.
+  PenetrationDepth run(double enough = std::numeric_limits<double>::infinity()) {
     for (std::uint32_t f = 0; f < facets_.facets.size(); ++f) {
       const Triangle& t = facets_.facets[f];
       const std::array<Vec3, 3> corners{facets_.points[t[0]], facets_.points[t[1]], facets_.points[t[2]]};
@@ -101,7 +109,7 @@ class Search {
       result_.separation_upper = deflection_;   // meshes that overlap do not prove that the solids do
     }
     leave_the_box();
-    while (!queue_.empty() && upper_ - lower_ > error_ && go_on()) step();
+    while (!queue_.empty() && upper_ - lower_ > error_ && lower_ < enough && go_on()) step();
     lower_ = std::min(queue_.empty() ? upper_ : lower_, open_);
     const bool proved = overlap == std::optional(true) && (deflection_ == 0 || convex_);
     result_.lower = proved ? std::clamp(lower_ - deflection_, 0.0, upper_) : 0;
@@ -206,10 +214,25 @@ class Search {
 
   // No facet of the sum is nearer to v than the deflection.
   bool keeps_clear(const Vec3& v) const {
-    return deflection_ == 0 || std::all_of(facets_.facets.begin(), facets_.facets.end(), [&](const Triangle& t) {
-      const std::array<Vec3, 3> corners{facets_.points[t[0]] - v, facets_.points[t[1]] - v, facets_.points[t[2]] - v};
-      return distance_of(corners, nearest_to_origin(corners)) - slack_ >= deflection_;
-    });
+    if (deflection_ == 0) return true;
+    const auto& nodes = tree_->nodes();
+    std::vector<std::uint32_t> stack{0};
+    while (!stack.empty()) {
+      const FacetTree::Node& node = nodes[stack.back()];
+      stack.pop_back();
+      if (node.box.exteriorDistance(v) > deflection_ + slack_) continue;
+      if (node.child != 0) {
+        stack.push_back(node.child);
+        stack.push_back(node.child + 1);
+        continue;
+      }
+      for (std::uint32_t k = node.first; k < node.last; ++k) {
+        const Triangle& t = facets_.facets[tree_->order()[k]];
+        const std::array<Vec3, 3> corners{facets_.points[t[0]] - v, facets_.points[t[1]] - v, facets_.points[t[2]] - v};
+        if (distance_of(corners, nearest_to_origin(corners)) - slack_ < deflection_) return false;
+      }
+    }
+    return true;
   }
 
   bool go_on() {
@@ -234,6 +257,7 @@ class Search {
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
   const Meeting meeting_;
   const Convolution facets_;
+  std::optional<FacetTree> tree_;   // of the facets; only if they have to be kept clear of
   double scale_ = 0, slack_ = 0;
   Box3 box_;
   std::priority_queue<Piece> queue_;
@@ -272,6 +296,21 @@ bool is_convex(const Expression& solid) {
   }
 }
 
+double off_by(const PolyhedronPtr& mesh) { return mesh->provenance().deflection + mesh->provenance().moved; }
+
+// A mesh that lies wholly in the solid: of the solid eroded by as much as the mesh may be off. None if no such mesh was found.
+PolyhedronPtr mesh_inside(const Expression& solid, const PolyhedronPtr& mesh, double error, const Options& options, const Clock& clock) {
+  if (off_by(mesh) == 0) return mesh;
+  const double given = solid.kind() == Expression::Kind::polyhedron ? off_by(mesh) : 0;   // before anything was eroded
+  Options within = clock.rest(options);
+  within.error = error;
+  within.contact.reset();
+  const Prepared eroded = prepare_offset(solid, -(given + error), within);
+  PolyhedronPtr inside = operand_mesh(eroded.expression, error, eroded.options, clock, "mesh inside a solid");
+  const bool proved = inside->provenance().unresolved.empty() && !inside->triangles().empty() && off_by(inside) <= given + error;
+  return proved ? inside : nullptr;
+}
+
 }  // namespace
 
 PenetrationDepth penetration_depth(const Expression& a, const Expression& b, const Options& options) {
@@ -284,10 +323,19 @@ PenetrationDepth penetration_depth(const Expression& a, const Expression& b, con
     if (!solid->provenance().unresolved.empty()) throw std::invalid_argument("solid: no certified mesh of it was found within the budget");
     if (solid->triangles().empty()) throw std::invalid_argument("solid: must not be empty");
   }
-  const double deflection = one->provenance().deflection + one->provenance().moved + other->provenance().deflection + other->provenance().moved;
+  const double deflection = off_by(one) + off_by(other);
+  const bool convex = is_convex(a) && is_convex(b);
   const SumOperand placed(one, {}), turned(other, {true, false});
-  PenetrationDepth depth = Search(placed, turned, std::max(error - deflection, 0.25 * error), deflection, is_convex(a) && is_convex(b), options, clock).run();
+  const double search_error = deflection == 0 || convex ? std::max(error - deflection, 0.25 * error) : upper_share * error;
+  PenetrationDepth depth = Search(placed, turned, search_error, deflection, convex, options, clock).run();
   depth.deflection = deflection;
+  if (depth.upper == 0 || deflection == 0 || convex) return depth;
+  // What overlaps inside both solids does so with them.
+  const PolyhedronPtr in_one = mesh_inside(a, one, inner_share * error, options, clock), in_other = mesh_inside(b, other, inner_share * error, options, clock);
+  if (!in_one || !in_other) return depth;
+  const SumOperand inner(in_one, {}), inner_turned(in_other, {true, false});
+  depth.lower = std::min(depth.upper, Search(inner, inner_turned, lower_share * error, 0, true, options, clock).run(depth.upper - error).lower);
+  if (depth.lower > 0) depth.separation_upper = 0;
   return depth;
 }
 

@@ -5,8 +5,8 @@
 // certainly inside the sum nor shows a way out is split. Nothing else of the sum is ever made; its topology does not matter.
 // Guarantees: lower <= depth <= upper, and likewise for the separation; B moved by upper along `direction` does not overlap A. A curved
 // solid is measured as a mesh within `deflection`: the separation's bounds are wider by that, and the way out keeps as far from the meshes.
-// A mesh may close a gap that its solid has, so that nothing can be said from it of how deep the solids overlap at least, unless
-// both are convex: `lower` is 0 then, and separation_upper above 0.
+// A mesh may close a gap that its solid has. So the lower bound of what is curved and not convex comes from meshes of both solids eroded
+// by as much as those are off, which lie in the solids. What overlaps by less than that has a `lower` of 0, and a separation_upper above 0.
 #pragma once
 
 #include "operations/options.h"
@@ -24,8 +24,8 @@ struct PenetrationDepth {
   std::size_t pieces = 0;                              ///< of facets that were looked at
 };
 
-/// upper - lower is at most the error, unless a budget ends first, faces in line hide a place from double precision, or the solids are
-/// curved and not convex. `options.error`: none: a hundredth of the smaller solid's longest side.
+/// upper - lower is at most the error, unless a budget ends first, faces in line hide a place from double precision, or curved solids have
+/// room for less than their meshes are off. `options.error`: none: a hundredth of the smaller solid's longest side.
 /// Throws as evaluate(); std::invalid_argument for a solid that is empty or has no certified mesh.
 PenetrationDepth penetration_depth(const Expression& a, const Expression& b, const Options& options);
 

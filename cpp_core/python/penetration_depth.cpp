@@ -52,8 +52,8 @@ void bind_penetration_depth(py::module_& module) {
              py::arg("progress") = py::none(),
              "How far the Solid b has to be moved to come free of the Solid a, as a PenetrationDepth: lower and upper bound, and the way out. 0 if "
              "they do not overlap; then the bounds of their separation.\n\nerror: upper - lower at most, model units; None: a hundredth of the smaller "
-             "solid's longest side. Curved solids are meshed within a share of it; a mesh may close a gap that its solid has, so unless both solids are convex lower is "
-             "0 then. budget: Budget, of which max_seconds counts; bounds are as far "
+             "solid's longest side. Curved solids are meshed within a share of it; where their room is smaller than that, lower is 0. "
+             "budget: Budget, of which max_seconds counts; bounds are as far "
              "apart as they are when it ends. progress as for evaluate(). Raises UnboundedError, CancelledError, ValueError naming the argument. "
              "Source: T§4.3.");
 }
