@@ -6,13 +6,7 @@ import unittest
 
 import starcell as sc
 
-
-def volume(r):
-    total = 0.0
-    for t in r.triangles:
-        a, b, c = (r.vertices[k] for k in t)
-        total += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
-    return total
+from models import volume
 
 
 UNIT = sc.Box((0, 0, 0), (1, 1, 1))

@@ -21,21 +21,6 @@ Result run(Prepare prepare, const Expression& a, const Expression& b, double err
 
 Result sum(const Mesh& a, const Mesh& b, double error) { return run(&prepare_minkowski_sum, solid(a), solid(b), error); }
 
-double area(const Result& r) {
-  double sum = 0;
-  for (const Triangle& t : r.triangles)
-    sum += 0.5 * (r.vertices[t[1]] - r.vertices[t[0]]).cross(r.vertices[t[2]] - r.vertices[t[0]]).norm();
-  return sum;
-}
-
-void expect_result(const Result& r, const Topology& topology, double expected_volume, double error, const std::string& what) {
-  EXPECT_NE(r.certificate.verdict, Verdict::unresolved) << what;
-  EXPECT_LE(r.certificate.error_bound, error) << what;
-  expect_sound(r, what);
-  EXPECT_EQ(sample::topology(r), topology) << what;
-  EXPECT_NEAR(volume(r), expected_volume, r.certificate.error_bound * area(r) + 1e-9) << what;
-}
-
 /// The hull of all sums of vertices: the sum of two convex solids (CGAL).
 Expression convex_sum(const Mesh& a, const Mesh& b) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -22,21 +22,6 @@ Result shell(const Expression& solid, double thickness, double error) {
 
 Mesh block(const Vec3& low, const Vec3& high) { return box(low, high); }
 
-double area(const Result& r) {
-  double sum = 0;
-  for (const Triangle& t : r.triangles)
-    sum += 0.5 * (r.vertices[t[1]] - r.vertices[t[0]]).cross(r.vertices[t[2]] - r.vertices[t[0]]).norm();
-  return sum;
-}
-
-void expect_result(const Result& r, const Topology& topology, double expected_volume, double error, const std::string& what) {
-  EXPECT_NE(r.certificate.verdict, Verdict::unresolved) << what;
-  EXPECT_LE(r.certificate.error_bound, error) << what;
-  expect_sound(r, what);
-  EXPECT_EQ(sample::topology(r), topology) << what;
-  EXPECT_NEAR(volume(r), expected_volume, r.certificate.error_bound * area(r) + 1e-9) << what;
-}
-
 // Steiner (1840): V + A r + M r^2 + 4/3 pi r^3; of a box M is pi times the sum of its sides.
 double steiner(const Vec3& sides, double r) {
   const double a = sides.x(), b = sides.y(), c = sides.z();

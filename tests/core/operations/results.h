@@ -113,4 +113,20 @@ inline bool identical(const Result& a, const Result& b) {
   return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
+inline double area(const Result& r) {
+  double sum = 0;
+  for (const Triangle& t : r.triangles)
+    sum += 0.5 * (r.vertices[t[1]] - r.vertices[t[0]]).cross(r.vertices[t[2]] - r.vertices[t[0]]).norm();
+  return sum;
+}
+
+/// The certificate keeps the error, the mesh is sound, and topology and volume are what is expected.
+inline void expect_result(const Result& r, const Topology& topology, double expected_volume, double error, const std::string& what) {
+  EXPECT_NE(r.certificate.verdict, Verdict::unresolved) << what;
+  EXPECT_LE(r.certificate.error_bound, error) << what;
+  expect_sound(r, what);
+  EXPECT_EQ(sample::topology(r), topology) << what;
+  EXPECT_NEAR(volume(r), expected_volume, r.certificate.error_bound * area(r) + 1e-9) << what;
+}
+
 }  // namespace starcell::sample
