@@ -55,50 +55,48 @@ bool is_inside(const SumOperand& mesh, const FacetTree& tree, const Vec3& x) {
 }
 
 Meeting::Meeting(const SumOperand& a, const SumOperand& b)
-    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), planes_a_(planes_of(a)), planes_b_(planes_of(b)), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
+    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), shapes_a_(shapes_of(a)), shapes_b_(shapes_of(b)), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
   // x is of the size of a + b where it matters; x - b and its difference from a round a few times at most.
   const double size = std::max(largest(a.box().min()), largest(a.box().max())) + std::max(largest(b.box().min()), largest(b.box().max()));
   rounding_ = 16 * 1.1102230246251565e-16 * size;
 }
 
-std::vector<Meeting::Plane> Meeting::planes_of(const SumOperand& mesh) {
-  std::vector<Plane> planes;
+std::vector<Meeting::Shape> Meeting::shapes_of(const SumOperand& mesh) {
+  std::vector<Shape> shapes;
   for (const Triangle& t : mesh.facets()) {
-    const Vec3 u = mesh.points()[t[1]] - mesh.points()[t[0]], v = mesh.points()[t[2]] - mesh.points()[t[0]];
-    planes.push_back({u.cross(v), std::max(largest(u), largest(v))});
+    const Vec3 &p = mesh.points()[t[0]], &q = mesh.points()[t[1]], &r = mesh.points()[t[2]];
+    const std::array<Vec3, 3> edges{q - p, r - q, p - r};
+    shapes.push_back({edges, edges[0].cross(r - p), std::max({largest(edges[0]), largest(edges[1]), largest(edges[2])})});
   }
-  return planes;
+  return shapes;
 }
 
 // Rounded as in crosses().
-bool Meeting::beside(const Plane& plane, const Vec3& p, const std::array<Vec3, 3>& points) const {
+bool Meeting::beside(const Shape& facet, const Vec3& p, const std::array<Vec3, 3>& points) const {
+  const double error = 24 * rounding_ * facet.base * facet.base;
   int side = 0;
   for (const Vec3& q : points) {
-    const Vec3 d = q - p;
-    const int s = sign_beyond(plane.normal.dot(d), 24 * rounding_ * plane.base * (plane.base + largest(d)));
+    const int s = sign_beyond(facet.normal.dot(q - p), error);
     if (s == 0 || s == -side) return false;
     side = s;
   }
   return true;
 }
 
-// The volumes of the tetrahedra between segment and triangle, with a bound on their rounding: of three lengths, each known to
-// `rounding_`, in products of six terms.
-Meeting::Answer Meeting::crosses(const std::array<Vec3, 3>& triangle, const Vec3& s, const Vec3& t) const {
-  const Vec3 p = triangle[0] - s, q = triangle[1] - s, r = triangle[2] - s;
-  const Vec3 d = t - s;
-  const Vec3 u = q - p, v = r - p;
-  const Vec3 n = u.cross(v);
-  const double reach = std::max({largest(p), largest(q), largest(r), largest(d)});
-  const double base = std::max(largest(u), largest(v));
-  const double error = 24 * rounding_ * base * (base + reach);
-  const double at_s = -n.dot(p), at_t = n.dot(d) + at_s;
+// The volumes of the tetrahedra between segment and facet. Only the place of one in respect of the other is known no better than to
+// `rounding_`: it meets products of two edges, six of them a volume. (What the products round by is less than that again, since no
+// length here is more than three times the coordinates'.)
+Meeting::Answer Meeting::crosses(const Shape& facet, double sense, const Vec3& corner, const Vec3& s, const Vec3& d) const {
+  const Vec3 p = corner - s;
+  const double error = 24 * rounding_ * facet.base * facet.base;
+  const double at_s = -facet.normal.dot(p), at_t = facet.normal.dot(d) + at_s;
   const int side_s = sign_beyond(at_s, error), side_t = sign_beyond(at_t, error);
   if (side_s * side_t > 0) return Answer::no;
-  const double around = 24 * rounding_ * reach * reach;
-  const int a = sign_beyond(d.dot(p.cross(q)), around), b = sign_beyond(d.dot(q.cross(r)), around);
+  const Vec3 q = p + sense * facet.edges[0], r = p - sense * facet.edges[2];
+  const double around = 24 * rounding_ * facet.base * largest(d);
+  const int a = sign_beyond(d.dot(p.cross(facet.edges[0])), around), b = sign_beyond(d.dot(q.cross(facet.edges[1])), around);
   if (a * b < 0) return Answer::no;
-  const int c = sign_beyond(d.dot(r.cross(p)), around);
+  const int c = sign_beyond(d.dot(r.cross(facet.edges[2])), around);
   if (a * c < 0 || b * c < 0) return Answer::no;
   return side_s * side_t < 0 && a != 0 && a == b && a == c ? Answer::yes : Answer::unknown;
 }
@@ -106,21 +104,20 @@ Meeting::Answer Meeting::crosses(const std::array<Vec3, 3>& triangle, const Vec3
 template <class Visit>
 bool Meeting::facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool& uncertain, Visit& visit) const {
   const Triangle &of_a = a_.facets()[f], &of_b = b_.facets()[g];
-  const auto corners = [](const SumOperand& mesh, const Triangle& t) { return std::array<Vec3, 3>{mesh.points()[t[0]], mesh.points()[t[1]], mesh.points()[t[2]]}; };
-  const std::array<Vec3, 3> fixed = corners(a_, of_a);
-  std::array<Vec3, 3> moved = corners(b_, of_b);
-  for (Vec3& p : moved) p = x - p;
-  if (beside(planes_a_[f], fixed[0], moved) || beside(planes_b_[g], moved[0], fixed)) return false;
+  const std::vector<Vec3> &p = a_.points(), &q = b_.points();
+  const std::array<Vec3, 3> fixed{p[of_a[0]], p[of_a[1]], p[of_a[2]]}, moved{x - q[of_b[0]], x - q[of_b[1]], x - q[of_b[2]]};
+  const Shape &one = shapes_a_[f], &other = shapes_b_[g];
+  if (beside(one, fixed[0], moved) || beside(other, moved[0], fixed)) return false;
   for (int k = 0; k < 3; ++k) {
     // Every edge belongs to two facets: one of its two directions is looked at.
     const int l = (k + 1) % 3;
     if (of_b[k] < of_b[l]) {
-      const Answer answer = crosses(fixed, moved[k], moved[l]);
+      const Answer answer = crosses(one, 1, fixed[0], moved[k], -other.edges[k]);
       if (answer == Answer::unknown) uncertain = true;
       if (answer == Answer::yes && visit(f, of_b[k], of_b[l], true)) return true;
     }
     if (of_a[k] < of_a[l]) {
-      const Answer answer = crosses(moved, fixed[k], fixed[l]);
+      const Answer answer = crosses(other, -1, moved[0], fixed[k], one.edges[k]);
       if (answer == Answer::unknown) uncertain = true;
       if (answer == Answer::yes && visit(g, of_a[k], of_a[l], false)) return true;
     }
@@ -182,8 +179,8 @@ bool Meeting::throughout(const Box3& box) const {
     found = true;
     for (int corner = 0; corner < 8 && found; ++corner) {
       const Vec3 x = box.corner(static_cast<Box3::CornerType>(corner));
-      found = (of_a ? crosses({p[t[0]], p[t[1]], p[t[2]]}, x - q[from], x - q[to])
-                    : crosses({x - q[t[0]], x - q[t[1]], x - q[t[2]]}, p[from], p[to])) == Answer::yes;
+      found = (of_a ? crosses(shapes_a_[facet], 1, p[t[0]], x - q[from], q[from] - q[to])
+                    : crosses(shapes_b_[facet], -1, x - q[t[0]], p[from], p[to] - p[from])) == Answer::yes;
     }
     return found || ++tried >= most_prisms;
   };

@@ -24,31 +24,38 @@ class Meeting {
   std::optional<bool> at(const Vec3& x) const;
   /// Certainly for all x of the box?
   bool throughout(const Box3& box) const;
+  /// The same, from a point that both have for all of them: where faces are in line it sees what throughout() does not, more slowly.
+  bool share_a_point(const Box3& box) const;
 
  private:
-  /// A facet's plane, up to length.
-  struct Plane {
-    Vec3 normal;
-    double base;   ///< how long its edges are at most, along any axis
+  /// A facet wherever it may be placed. Its edges are known far better than its place.
+  struct Shape {
+    std::array<Vec3, 3> edges;   ///< from each corner to the next
+    Vec3 normal;                 ///< up to length
+    double base;                 ///< how long its edges are at most, along any axis
   };
-  static std::vector<Plane> planes_of(const SumOperand& mesh);
+  static std::vector<Shape> shapes_of(const SumOperand& mesh);
   /// Certainly all three points on one side of the plane through p?
-  bool beside(const Plane& plane, const Vec3& p, const std::array<Vec3, 3>& points) const;
+  bool beside(const Shape& facet, const Vec3& p, const std::array<Vec3, 3>& points) const;
 
   enum class Answer { no, yes, unknown };
-  /// Does the segment from s to t cross the triangle?
-  Answer crosses(const std::array<Vec3, 3>& triangle, const Vec3& s, const Vec3& t) const;
+  /// Does the segment from s along d cross the facet whose first corner is `corner`? `sense` -1: the facet is reflected.
+  Answer crosses(const Shape& facet, double sense, const Vec3& corner, const Vec3& s, const Vec3& d) const;
   /// Pairs of a facet and an edge that cross for certain at x; visit returns true to stop. Is any pair uncertain?
   template <class Visit>
   bool crossings(const Vec3& x, Visit visit) const;
   template <class Visit>
   bool facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool& uncertain, Visit& visit) const;
   bool contained(const Vec3& x) const;
+  /// Is p in A, and certainly in x - B for all x within `half` of the middle?
+  bool have_in_common(const Vec3& p, const Vec3& middle, const Vec3& half) const;
+  /// Does no facet meet the box?
+  static bool is_clear(const SumOperand& mesh, const FacetTree& tree, const std::vector<Shape>& shapes, const Vec3& middle, const Vec3& half);
 
   const SumOperand& a_;
   const SumOperand& b_;
   FacetTree tree_a_, tree_b_;
-  std::vector<Plane> planes_a_, planes_b_;
+  std::vector<Shape> shapes_a_, shapes_b_;
   std::vector<std::uint32_t> shells_a_, shells_b_;   // a vertex of every boundary component
   double rounding_;                                  // of any coordinate's difference
 };

@@ -45,15 +45,33 @@ void announce(const Progress& progress, const char* stage) {
   if (progress && !progress(0, stage)) throw CancelledError("The run was cancelled.");
 }
 
+struct OutOfTime {};
+
+// All that is known is where it would be.
+PolyhedronPtr left_open(SumSolid::Kind kind, const Polyhedron& a, const Polyhedron& b) {
+  Provenance provenance;
+  provenance.name = kind == SumSolid::Kind::sum ? "sum" : "erosion";
+  provenance.unresolved.push_back(kind == SumSolid::Kind::sum ? sum_of(a.bounding_box(), b.bounding_box()) : a.bounding_box());
+  return Polyhedron::trusted({}, {}, std::move(provenance));
+}
+
 bool is_nothing(const PolyhedronPtr& solid) { return solid->triangles().empty(); }
 
-// The sum or erosion as a leaf. Of what is empty, or has no mesh, nothing is made: its provenance says which of the two it is.
+// The sum or erosion as a leaf. Of what is empty, or has no mesh in time, nothing is made: its provenance says which of the two it is.
 Expression combined(SumSolid::Kind kind, const Expression& a, const Expression& b, double error, const Options& options, const Clock& clock) {
   const PolyhedronPtr one = operand_mesh(a, tessellation_share * error, options, clock, "mesh of the first solid");
   if (is_nothing(one)) return Expression(one);
   const PolyhedronPtr other = operand_mesh(b, tessellation_share * error, options, clock, "mesh of the second solid");
   if (is_nothing(other)) return Expression(other);
-  return Expression(SumSolid::make(kind, one, other, [&] { announce(options.progress, "adding faces, edges and vertices"); }));
+  const auto pause = [&] {
+    announce(options.progress, "adding faces, edges and vertices");
+    if (!(clock.left() > 0)) throw OutOfTime{};
+  };
+  try {
+    return Expression(SumSolid::make(kind, one, other, pause));
+  } catch (const OutOfTime&) {
+    return Expression(left_open(kind, *one, *other));
+  }
 }
 
 // Of two steps the first one's result is the second one's operand.

@@ -31,6 +31,8 @@ constexpr std::size_t steps_between_reports = 256;
 constexpr int most_stand_ins = 16;
 // Pieces are not cut smaller than this, of the error: what rounding hides in them, it hides in smaller ones.
 constexpr double smallest_share = 1.0 / 64;
+// Pieces that are looked at after the first that rounding hides.
+constexpr std::size_t most_steps_past_open = 4096;
 
 // Where a facet's point x lies between its corners.
 Vec3 weights(const std::array<Vec3, 3>& t, const Vec3& x) {
@@ -132,6 +134,7 @@ class Search {
   // Nearer than all facets every point is where the origin is: of an origin in line with a face or an edge, another one is asked.
   std::optional<bool> origin_inside() const {
     auto told = meeting_.at(Vec3::Zero());
+    if (!told && meeting_.share_a_point(Box3(Vec3::Constant(-slack_), Vec3::Constant(slack_)))) return true;
     const double radius = 0.5 * queue_.top().distance;
     for (int k = 1; !told && k <= most_stand_ins && radius > slack_; ++k) {
       const Vec3 aside(std::cos(2.4 * k), std::sin(2.4 * k), std::cos(1.7 * k));
@@ -183,17 +186,20 @@ class Search {
       return;
     }
     const Vec3 nearest = nearest_to_origin(piece.corners);
-    if (piece.outward.allFinite()) try_out(nearest + (1.01 * deflection_ + std::max(beyond_share * error_, 4 * slack_)) * piece.outward, piece.facet);
+    const double beyond = std::max(beyond_share * error_, 4 * slack_);
+    const Vec3 past = nearest + (1.01 * deflection_ + beyond) * piece.outward;
+    if (past.allFinite() && past.norm() < upper_) leads_out(past, piece.facet);
     Box3 around;
     for (const Vec3& p : piece.corners) around.extend(p);
     const Box3 padded(around.min() - Vec3::Constant(slack_), around.max() + Vec3::Constant(slack_));
-    if (meeting_.throughout(padded)) return;
+    if (meeting_.throughout(padded) || meeting_.share_a_point(padded)) return;
     // Smaller than what is left to be told apart: what it hides is within the error of here.
     int longest = 0;
     double length = 0;
     for (int k = 0; k < 3; ++k)
       if (const double l = (piece.corners[(k + 1) % 3] - piece.corners[k]).norm(); l > length) length = l, longest = k;
     if (length <= std::max(64 * slack_, smallest_share * error_)) {
+      if (past.allFinite()) look_aside(past, 0.5 * beyond, piece.facet);
       open_ = std::min(open_, piece.distance);
       return;
     }
@@ -205,8 +211,14 @@ class Search {
     push(piece.facet, other, piece.outward, piece.distance);
   }
 
-  void try_out(const Vec3& v, std::uint32_t facet) {
-    if (v.norm() >= upper_ || meeting_.at(v) != std::optional(false) || !keeps_clear(v)) return;
+  // Solids are told from touching where they are apart: that is where a face slides along, or a corner fits, only a little aside of it.
+  void look_aside(const Vec3& v, double aside, std::uint32_t facet) {
+    for (int k = 0; k < 27; ++k)
+      if (const Vec3 to(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1); (v + aside * to).norm() < upper_) leads_out(v + aside * to, facet);
+  }
+
+  void leads_out(const Vec3& v, std::uint32_t facet) {
+    if (meeting_.at(v) != std::optional(false) || !keeps_clear(v)) return;
     upper_ = v.norm() * (1 + 1e-15);
     out_ = v;
     touching_ = facet;
@@ -237,7 +249,8 @@ class Search {
 
   bool go_on() {
     lower_ = std::min(lower_, open_);
-    if (open_ < std::numeric_limits<double>::infinity()) return false;   // at a place that rounding hides
+    // Beyond a place that rounding hides only the upper bound may still become better.
+    if (open_ < std::numeric_limits<double>::infinity() && ++steps_past_open_ > most_steps_past_open) return false;
     if (++steps_ % steps_between_reports != 0) return true;
     report("looking for a way out");
     return clock_.left() > 0;
@@ -266,7 +279,7 @@ class Search {
   std::uint32_t touching_ = 0;   // the facet that out_ comes from
   Vec3 nearest_ = Vec3::Zero();  // of all facets' points
   std::uint32_t nearest_facet_ = 0;
-  std::size_t made_ = 0, steps_ = 0;
+  std::size_t made_ = 0, steps_ = 0, steps_past_open_ = 0;
   PenetrationDepth result_;
 };
 

@@ -29,6 +29,28 @@ TEST(Meeting, OfBoxesIsThatOfIntervals) {
   }
 }
 
+// Boxes of one height, in any rotation: at x with no height at all only a point of both tells that they meet.
+TEST(Meeting, SharesAPointWhereFacesAreInLine) {
+  std::mt19937 random(3);
+  for (int turn = 0; turn < 4; ++turn) {
+    const Eigen::Matrix3d rotation = turn == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : random_rotation(random);
+    const SumOperand a(make(turned(box({0, 0, 0}, {3, 2, 1}), rotation)), {}), b(make(turned(box({-2, -2, -1}, {0, 0, 0}), rotation)), {});
+    const Meeting meeting(a, b);
+    const Box3 sum(Vec3(-2, -2, -1), Vec3(3, 2, 1));
+    int shared = 0, asked = 0;
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 x = Vec3(0.5, 0, 0) + Vec3(3 * uniform(random, -1, 1).x(), 2.5 * uniform(random, -1, 1).y(), 0);
+      const Box3 around((rotation * x).array() - 1e-3, (rotation * x).array() + 1e-3);
+      const bool found = meeting.share_a_point(around);
+      const double inside = (Vec3(0.5 * sum.sizes()) - (x - sum.center()).cwiseAbs()).minCoeff();
+      if (found) EXPECT_GT(inside, 1e-3) << x.transpose();
+      if (inside > 0.05) asked += 1, shared += found;
+    }
+    EXPECT_GT(asked, 100);
+    EXPECT_EQ(shared, asked);
+  }
+}
+
 // With their boundaries apart one solid may still lie in the other, and a cavity keeps out what lies in it.
 TEST(Meeting, SeesWhatLiesInside) {
   const Mesh hollow = joined({box({0, 0, 0}, {9, 9, 9}), flipped(box({3, 3, 3}, {6, 6, 6}))});

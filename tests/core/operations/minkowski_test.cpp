@@ -234,5 +234,19 @@ TEST(MinkowskiSum, SaysWhatABudgetLeftOpen) {
   EXPECT_EQ(bad_edges(r), 0u);
 }
 
+// Time may end before there is anything to contour: then the whole sum is open.
+TEST(MinkowskiSum, SaysWhenTimeEndsBeforeAnyFacetIsMade) {
+  std::mt19937 random(9);
+  Options options = with_error(0.02);
+  options.budget.max_seconds = 1e-3;
+  const Mesh ring = turned(torus(60, 40), random_rotation(random));
+  const Prepared p = prepare_minkowski_sum(solid(ring), solid(ring), options);
+  EXPECT_NE(p.expression.kind(), Expression::Kind::sum);
+  const Result r = evaluate(p.expression, p.options);
+  EXPECT_EQ(r.certificate.verdict, Verdict::unresolved);
+  ASSERT_EQ(r.certificate.unresolved.size(), 1u);
+  EXPECT_TRUE(r.triangles.empty());
+}
+
 }  // namespace
 }  // namespace starcell

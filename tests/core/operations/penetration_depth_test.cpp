@@ -82,6 +82,32 @@ TEST(PenetrationDepth, OfAFrameJammedOnAPole) {
   }
 }
 
+// Faces of both in line, in any rotation: no crossing of an edge and a face is certain there, and the way out slides along a face.
+TEST(PenetrationDepth, OfFacesInLine) {
+  std::mt19937 random(31);
+  const Mesh corner = [] {
+    const Result made = evaluate(solid(box({0, 0, 0}, {4, 4, 1})) | solid(box({0, 0, 0}, {1, 4, 4})) | solid(box({0, 0, 0}, {4, 1, 4})), with_error(0.01));
+    return Mesh{made.vertices, made.triangles};
+  }();
+  struct Case {
+    Mesh a, b;
+    double depth;
+  };
+  const Mesh slab = box({0, 0, 0}, {4, 4, 1});
+  const std::vector<Case> cases{{slab, box({3.25, 1, 0}, {6, 2, 1}), 0.75},                       // ends of both in line
+                                {slab, slab, 1},
+                                {box({0, 0, 0}, {2, 2, 2}), box({0, 0, 0.5}, {2, 2, 3}), 1.5},   // all four sides in line
+                                {slab, box({1, 1, 0.5}, {2, 2, 1}), 0.5},                         // flush
+                                {corner, box({0.25, 1, 1}, {2, 2, 2}), 0.75}};                    // in one wall, on another, along a third
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    for (const Eigen::Matrix3d& rotation : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), random_rotation(random), random_rotation(random)}) {
+      const PenetrationDepth d = depth_of(turned(cases[k].a, rotation), turned(cases[k].b, rotation), 0.01);
+      EXPECT_LE(d.lower, cases[k].depth + 1e-9) << k;
+      EXPECT_GE(d.upper, cases[k].depth - 1e-9) << k;
+      EXPECT_LE(d.upper - d.lower, 0.01) << k;
+    }
+}
+
 // One inside the other, boundaries apart: the depth is to the nearest side, and past it.
 TEST(PenetrationDepth, OfWhatLiesInside) {
   const PenetrationDepth d = depth_of(box({0, 0, 0}, {10, 10, 10}), box({4, 4, 7}, {5, 5, 8}), 0.01);
