@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
+#include "minkowski/flat_faces.h"
 #include "minkowski/normal_tree.h"
 
 namespace starcell {
@@ -36,12 +38,16 @@ Key key_of(const Vec3& p, double cube) {
 
 class Convolving {
  public:
-  Convolving(const SumOperand& a, const SumOperand& b, const ConvolutionSettings& settings) : a_(a), b_(b), settings_(settings) {}
+  Convolving(const SumOperand& a, const SumOperand& b, const ConvolutionSettings& settings) : a_(a), b_(b), settings_(settings) {
+    if (settings.covers) flat_.emplace(a, b);
+  }
 
   Convolution make() {
     faces_at_vertices(a_, b_, false);
     faces_at_vertices(b_, a_, true);
     edges_by_edges();
+    if (flat_)
+      for (const auto& corners : flat_->cover()) add(corners, static_cast<std::uint32_t>(result_.facets.size()));
     weld();
     return std::move(result_);
   }
@@ -54,7 +60,7 @@ class Convolving {
     return NormalTree(std::move(caps));
   }
 
-  using Origin = std::array<std::uint32_t, 2>;   // vertices of a and of b
+  using Origin = SumOrigin;
 
   void add(const std::array<Origin, 3>& corners, std::uint32_t partner) {
     Triangle t{};
@@ -82,6 +88,7 @@ class Convolving {
       count_pair();
       const SumOperand::Face& face = faces.faces()[i];
       const SumOperand::Vertex& vertex = vertices.vertices()[j];
+      if (flat_ && flat_->cover_facet(face.facet, vertex.vertex, turned)) return;
       if (face.normals.angle < 1 && !vertices.supports(vertex, face.normals.axis, face.slack)) return;
       std::array<Origin, 3> corners;
       for (int k = 0; k < 3; ++k) {
@@ -96,6 +103,7 @@ class Convolving {
     NormalTree::meeting(tree_of(a_.edges()), tree_of(b_.edges()), [&](std::uint32_t i, std::uint32_t j) {
       count_pair();
       const SumOperand::Edge &e = a_.edges()[i], &f = b_.edges()[j];
+      if (flat_ && flat_->cover_edges(e, f)) return;
       const Vec3 along = a_.points()[e.to] - a_.points()[e.from], across = b_.points()[f.to] - b_.points()[f.from];
       const Vec3 cross = along.cross(across);
       const double length = cross.norm(), whole = along.norm() * across.norm();
@@ -201,6 +209,7 @@ class Convolving {
   const SumOperand& a_;
   const SumOperand& b_;
   const ConvolutionSettings& settings_;
+  std::optional<FlatFaces> flat_;
   Convolution result_;
   std::unordered_map<std::uint64_t, std::uint32_t> index_;
   std::vector<Origin> origins_;   // of each point

@@ -2,7 +2,8 @@
 //
 // Rests on Guibas, Ramshaw & Stolfi 1983 and Lien 2008; see sum_operand.h for which features take part. Guarantees: every point of
 // the boundary of A ⊕ B lies on a facet, turned as the boundary is, but for the rounding of a + b to doubles. Pairs of features
-// are found by their normals, so that their number grows with what the normals have in common, not with m·n.
+// are found by their normals, so that their number grows with what the normals have in common, not with m·n; parallel flat faces of many
+// facets are covered as a whole (flat_faces.h).
 #pragma once
 
 #include <functional>
@@ -24,6 +25,7 @@ struct Convolution {
 
 struct ConvolutionSettings {
   bool origins = false;
+  bool covers = true;            ///< facets may reach beyond the sum where that makes them few
   std::function<void()> pause;   ///< called now and then; what it throws ends the work
 };
 

@@ -2,7 +2,8 @@
 //
 // Two solids meet if an edge of one crosses a facet of the other, or if, their boundaries being apart, a component of one's boundary
 // lies in the other. A pair of trees finds crossings. The x for which one edge crosses one facet are the inside of a prism, facet ⊕
-// edge: a box with its corners in one prism is inside the sum as a whole.
+// edge: a box with its corners in one prism is inside the sum as a whole. So is one for which a point of A is in x - B throughout
+// (common_point.cpp).
 // Guarantees: signs are taken with bounds on their rounding; where none of the crossings is certain and some cannot be excluded
 // there is no answer.
 #pragma once

@@ -37,15 +37,14 @@ NormalCap cap_around(const std::vector<Vec3>& normals) {
 
 double angle_between(const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
 
-SumOperand::SumOperand(PolyhedronPtr solid, const Placement& placement) : inside_out_(placement.inside_out), points_(solid->vertices()), facets_(solid->triangles()) {
+SumOperand::SumOperand(PolyhedronPtr solid, const Placement& placement) : inside_out_(placement.inside_out), points_(solid->vertices()), facets_(solid->triangles()), neighbours_(solid->neighbours()) {
   if (placement.reflected)
     for (Vec3& p : points_) p = -p;
-  std::vector<Triangle> neighbours = solid->neighbours();
   // A reflection in a point turns a mesh inside out, as a complement does.
   if (placement.reflected != placement.inside_out)
     for (std::size_t t = 0; t < facets_.size(); ++t) {
       std::swap(facets_[t][1], facets_[t][2]);
-      std::swap(neighbours[t][0], neighbours[t][2]);
+      std::swap(neighbours_[t][0], neighbours_[t][2]);
     }
   for (const Vec3& p : points_) box_.extend(p);
   for (std::uint32_t t = 0; t < facets_.size(); ++t) {
@@ -54,14 +53,14 @@ SumOperand::SumOperand(PolyhedronPtr solid, const Placement& placement) : inside
     if (sine > nearly_parallel) faces_.push_back({t, {n.normalized(), cap_slack}, 4e-16 / sine});
     else faces_.push_back({t, {Vec3::UnitZ(), pi}, 2});   // a needle's normal is not known
   }
-  find_edges(neighbours);
-  find_vertices(neighbours);
+  find_edges();
+  find_vertices();
 }
 
-void SumOperand::find_edges(const std::vector<Triangle>& neighbours) {
+void SumOperand::find_edges() {
   for (std::uint32_t t = 0; t < facets_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t g = neighbours[t][k];
+      const std::uint32_t g = neighbours_[t][k];
       if (g < t) continue;
       const std::uint32_t u = facets_[t][k], v = facets_[t][(k + 1) % 3];
       std::uint32_t apex = facets_[g][0];
@@ -71,11 +70,11 @@ void SumOperand::find_edges(const std::vector<Triangle>& neighbours) {
       if (side(points_[facets_[t][0]], points_[facets_[t][1]], points_[facets_[t][2]], points_[apex]) >= 0) continue;
       const NormalCap &m = faces_[t].normals, &n = faces_[g].normals;
       const bool known = m.angle < 1 && n.angle < 1;
-      edges_.push_back({u, v, facets_[t][(k + 2) % 3], apex, known ? cap_around({m.axis, n.axis}) : NormalCap{Vec3::UnitZ(), pi}});
+      edges_.push_back({u, v, facets_[t][(k + 2) % 3], apex, {t, g}, known ? cap_around({m.axis, n.axis}) : NormalCap{Vec3::UnitZ(), pi}});
     }
 }
 
-void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
+void SumOperand::find_vertices() {
   struct Link {
     std::uint32_t vertex;
     int bend;   // below 0: a convex edge
@@ -83,7 +82,7 @@ void SumOperand::find_vertices(const std::vector<Triangle>& neighbours) {
   std::vector<std::vector<Link>> around(points_.size());
   for (std::uint32_t t = 0; t < facets_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t u = facets_[t][k], v = facets_[t][(k + 1) % 3], g = neighbours[t][k];
+      const std::uint32_t u = facets_[t][k], v = facets_[t][(k + 1) % 3], g = neighbours_[t][k];
       std::uint32_t apex = facets_[g][0];
       for (const std::uint32_t c : facets_[g])
         if (c != u && c != v) apex = c;

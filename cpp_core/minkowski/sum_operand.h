@@ -8,6 +8,8 @@
 // Guarantees: every normal of a feature is within its cap; a feature that is left out has none of its own.
 #pragma once
 
+#include <array>
+
 #include "solids/polyhedron.h"
 
 namespace starcell {
@@ -31,6 +33,7 @@ class SumOperand {
   struct Edge {
     std::uint32_t from, to;        ///< vertices
     std::uint32_t left, right;     ///< the third corners of the faces beside it
+    std::array<std::uint32_t, 2> facets;   ///< those faces
     NormalCap normals;
   };
   struct Vertex {
@@ -46,6 +49,9 @@ class SumOperand {
 
   const std::vector<Vec3>& points() const { return points_; }
   const std::vector<Triangle>& facets() const { return facets_; }
+  /// Of every facet those across the edges from corner k to k + 1.
+  const std::vector<Triangle>& neighbours() const { return neighbours_; }
+  /// Of every facet.
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -60,12 +66,12 @@ class SumOperand {
   bool supports(const Edge& e, const Vec3& n, double slack) const;
 
  private:
-  void find_edges(const std::vector<Triangle>& neighbours);
-  void find_vertices(const std::vector<Triangle>& neighbours);
+  void find_edges();
+  void find_vertices();
 
   bool inside_out_;
   std::vector<Vec3> points_;
-  std::vector<Triangle> facets_;
+  std::vector<Triangle> facets_, neighbours_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<Vertex> vertices_;
