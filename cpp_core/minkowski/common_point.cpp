@@ -99,7 +99,7 @@ bool Meeting::share_a_point(const Box3& box) const {
     const auto [i, j] = stack.back();
     stack.pop_back();
     const FacetTree::Node &m = nodes_a[i], &n = nodes_b[j];
-    if (((x - n.box.max() - m.box.max()).array() > rounding_).any() || ((m.box.min() - x + n.box.min()).array() > rounding_).any()) continue;
+    if (are_apart(i, j, x)) continue;
     if (m.child != 0 && (n.child == 0 || m.last - m.first >= n.last - n.first)) {
       stack.emplace_back(m.child, j);
       stack.emplace_back(m.child + 1, j);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,16 +17,28 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Points = CGAL::Pointer_property_map<Kernel::Point_2>::type;
 
 constexpr std::uint32_t none = UINT32_MAX;
-// Of coordinates: corners this near to one plane are on it, and sums of corners on two such planes on one.
-constexpr double flatness = 4e-15;
+// Of coordinates: corners this near to one plane are on it, and sums of corners on two such planes on one. Small facets do not know their
+// planes so well: a face is gathered with more patience.
+constexpr double flatness = 8e-15, patience = 100;
 // Faces of fewer facets are never worth a cover, pairs that make fewer candidates neither.
-constexpr std::size_t fewest_facets = 8, fewest_candidates = 20000;
+constexpr std::size_t fewest_facets = 8, fewest_candidates = 500;
 
 double largest_coordinate(const SumOperand& mesh) { return std::max(mesh.box().min().cwiseAbs().maxCoeff(), mesh.box().max().cwiseAbs().maxCoeff()); }
 
 }  // namespace
 
-// From the largest facets outwards, as long as corners stay on the first one's plane. Needles have no normal to compare.
+bool FlatFaces::is_level(const SumOperand& mesh, const Face& face, const Vec3& normal, double flat) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::uint32_t v : face.vertices) {
+    const double height = normal.dot(mesh.points()[v] - mesh.points()[face.vertices.front()]);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  return high - low <= 2 * flat;
+}
+
+// From the largest facets outwards, as long as corners stay near the first one's plane: then all have to be on that of the whole, whose
+// normal is the sum of all areas. Needles have no normal to compare.
 FlatFaces::Side FlatFaces::faces_of(const SumOperand& mesh, double flat) {
   const std::vector<Triangle>& facets = mesh.facets();
   const std::vector<Vec3>& points = mesh.points();
@@ -44,7 +57,7 @@ FlatFaces::Side FlatFaces::faces_of(const SumOperand& mesh, double flat) {
     face.normal = mesh.faces()[seed].normals.axis;
     const Vec3& from = points[facets[seed][0]];
     const auto is_on = [&](std::uint32_t f) {
-      return area_vector(f).dot(face.normal) >= 0 && std::all_of(facets[f].begin(), facets[f].end(), [&](std::uint32_t v) { return std::abs(face.normal.dot(points[v] - from)) <= flat; });
+      return area_vector(f).dot(face.normal) >= 0 && std::all_of(facets[f].begin(), facets[f].end(), [&](std::uint32_t v) { return std::abs(face.normal.dot(points[v] - from)) <= patience * flat; });
     };
     face.facets.push_back(seed);
     seen[seed] = 1;
@@ -52,12 +65,16 @@ FlatFaces::Side FlatFaces::faces_of(const SumOperand& mesh, double flat) {
       for (const std::uint32_t g : mesh.neighbours()[face.facets[k]])
         if (!seen[g] && is_on(g)) seen[g] = 1, face.facets.push_back(g);
     if (face.facets.size() < fewest_facets) continue;
+    Vec3 normal = Vec3::Zero();
     for (const std::uint32_t f : face.facets) {
-      side.of_facet[f] = static_cast<std::uint32_t>(side.faces.size());
+      normal += area_vector(f);
       face.vertices.insert(face.vertices.end(), facets[f].begin(), facets[f].end());
     }
+    face.normal = normal.normalized();
     std::sort(face.vertices.begin(), face.vertices.end());
     face.vertices.erase(std::unique(face.vertices.begin(), face.vertices.end()), face.vertices.end());
+    if (!is_level(mesh, face, face.normal, flat)) continue;
+    for (const std::uint32_t f : face.facets) side.of_facet[f] = static_cast<std::uint32_t>(side.faces.size());
     for (const std::uint32_t v : face.vertices) side.of_vertex[v].push_back(static_cast<std::uint32_t>(side.faces.size()));
     side.faces.push_back(std::move(face));
   }
@@ -65,20 +82,16 @@ FlatFaces::Side FlatFaces::faces_of(const SumOperand& mesh, double flat) {
 }
 
 FlatFaces::FlatFaces(const SumOperand& a, const SumOperand& b) : a_(a), b_(b) {
-  const double flat = flatness * (largest_coordinate(a) + largest_coordinate(b));
-  side_a_ = faces_of(a, flat);
-  side_b_ = faces_of(b, flat);
+  flat_ = flatness * (largest_coordinate(a) + largest_coordinate(b));
+  side_a_ = faces_of(a, flat_);
+  side_b_ = faces_of(b, flat_);
   covered_.assign(side_a_.faces.size() * side_b_.faces.size(), 0);
   for (std::size_t i = 0; i < side_a_.faces.size(); ++i)
     for (std::size_t j = 0; j < side_b_.faces.size(); ++j) {
       const Face &p = side_a_.faces[i], &q = side_b_.faces[j];
       // Facets by vertices both ways, and about as many pairs of edges.
       if (p.facets.size() * q.vertices.size() + p.vertices.size() * q.facets.size() < fewest_candidates || !(p.normal.dot(q.normal) > 0.5)) continue;
-      const auto level = [&](const SumOperand& mesh, const Face& face, const Vec3& n) {
-        const Vec3& from = mesh.points()[face.vertices.front()];
-        return std::all_of(face.vertices.begin(), face.vertices.end(), [&](std::uint32_t v) { return std::abs(n.dot(mesh.points()[v] - from)) <= 2 * flat; });
-      };
-      covered_[i * side_b_.faces.size() + j] = level(b, q, p.normal) && level(a, p, q.normal);
+      covered_[i * side_b_.faces.size() + j] = is_level(b, q, p.normal, flat_) && is_level(a, p, q.normal, flat_);
     }
 }
 
@@ -95,6 +108,22 @@ std::vector<std::uint32_t> FlatFaces::hull(const SumOperand& mesh, const Face& f
   std::vector<std::uint32_t> result;
   for (const std::size_t k : corners) result.push_back(face.vertices[k]);
   return result;
+}
+
+// Corners on a straight side are rounding's: triangles between them would have no plane.
+std::vector<SumOrigin> FlatFaces::straightened(const std::vector<SumOrigin>& polygon, double within) const {
+  const auto at = [&](std::size_t k) { return Vec3(a_.points()[polygon[k % polygon.size()][0]] + b_.points()[polygon[k % polygon.size()][1]]); };
+  std::vector<SumOrigin> kept{polygon.front()};   // extreme along an axis: a corner
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < polygon.size(); ++k) {
+    const Vec3 from = at(last), along = (at(k + 1) - from).normalized();
+    bool straight = true;
+    for (std::size_t l = last + 1; l <= k && straight; ++l) straight = (at(l) - from).cross(along).norm() <= within;
+    if (straight) continue;
+    kept.push_back(polygon[k]);
+    last = k;
+  }
+  return kept;
 }
 
 // Sides of both hulls, merged by their directions; the polygon is halved again and again, which makes few thin triangles.
@@ -126,6 +155,7 @@ std::vector<std::array<SumOrigin, 3>> FlatFaces::cover() const {
         if (turn >= 0) ++s;
         if (turn <= 0) ++t;
       }
+      polygon = straightened(polygon, flat_);
       std::vector<std::pair<std::size_t, std::size_t>> spans{{0, polygon.size() - 1}};
       while (!spans.empty()) {
         const auto [from, to] = spans.back();

@@ -37,15 +37,19 @@ class FlatFaces {
     std::vector<std::uint32_t> of_facet;                    // none: a small face
     std::vector<std::vector<std::uint32_t>> of_vertex;
   };
+  /// Are all corners within `flat` of one plane with this normal?
+  static bool is_level(const SumOperand& mesh, const Face& face, const Vec3& normal, double flat);
   static Side faces_of(const SumOperand& mesh, double flat);
   bool covered(std::uint32_t p, std::uint32_t q) const { return covered_[p * side_b_.faces.size() + q] != 0; }
   /// Of the whole hull of a face the corners, anticlockwise seen from outside.
   static std::vector<std::uint32_t> hull(const SumOperand& mesh, const Face& face, int axis, double sense);
+  std::vector<SumOrigin> straightened(const std::vector<SumOrigin>& polygon, double within) const;
 
   const SumOperand& a_;
   const SumOperand& b_;
   Side side_a_, side_b_;
   std::vector<char> covered_;
+  double flat_ = 0;   // how far from a plane or a line counts as on it
 };
 
 }  // namespace starcell

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solids/disjoint_sets.h"
 #include "solids/upward_ray.h"
@@ -11,6 +12,10 @@ namespace {
 
 // Crossings at a box's middle that are tried before it is said to be uncertain.
 constexpr int most_prisms = 48;
+// Directions that at least this part of an operand's area faces are looked along, the first so many.
+constexpr double worthwhile_share = 0.15;
+constexpr std::size_t most_directions = 3, most_clusters = 64;
+constexpr double same_direction = 0.9999;
 
 std::vector<std::uint32_t> shells_of(const SumOperand& mesh) {
   DisjointSets sets(mesh.points().size());
@@ -55,7 +60,8 @@ bool is_inside(const SumOperand& mesh, const FacetTree& tree, const Vec3& x) {
 }
 
 Meeting::Meeting(const SumOperand& a, const SumOperand& b)
-    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), shapes_a_(shapes_of(a)), shapes_b_(shapes_of(b)), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
+    : a_(a), b_(b), tree_a_(a.points(), a.facets()), tree_b_(b.points(), b.facets()), shapes_a_(shapes_of(a)), shapes_b_(shapes_of(b)), directions_(directions_of(a, b)),
+      reaches_a_(reaches_of(a, tree_a_, directions_)), reaches_b_(reaches_of(b, tree_b_, directions_)), shells_a_(shells_of(a)), shells_b_(shells_of(b)) {
   // x is of the size of a + b where it matters; x - b and its difference from a round a few times at most.
   const double size = std::max(largest(a.box().min()), largest(a.box().max())) + std::max(largest(b.box().min()), largest(b.box().max()));
   rounding_ = 16 * 1.1102230246251565e-16 * size;
@@ -125,6 +131,65 @@ bool Meeting::facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool
   return false;
 }
 
+std::vector<Vec3> Meeting::directions_of(const SumOperand& a, const SumOperand& b) {
+  std::vector<std::pair<double, Vec3>> areas;   // of clusters of normals, up to sense
+  for (const SumOperand* mesh : {&a, &b}) {
+    std::vector<std::pair<double, Vec3>> own;
+    double whole = 0;
+    for (const SumOperand::Face& face : mesh->faces()) {
+      const Triangle& t = mesh->facets()[face.facet];
+      const double area = (mesh->points()[t[1]] - mesh->points()[t[0]]).cross(mesh->points()[t[2]] - mesh->points()[t[0]]).norm();
+      whole += area;
+      const auto same = std::find_if(own.begin(), own.end(), [&](const auto& cluster) { return std::abs(cluster.second.dot(face.normals.axis)) > same_direction; });
+      if (same != own.end()) same->first += area;
+      else if (own.size() < most_clusters) own.emplace_back(area, face.normals.axis);
+    }
+    for (const auto& [area, normal] : own)
+      if (area > worthwhile_share * whole) areas.emplace_back(area / whole, normal);
+  }
+  std::stable_sort(areas.begin(), areas.end(), [](const auto& s, const auto& t) { return s.first > t.first; });
+  std::vector<Vec3> directions;
+  for (const auto& [area, normal] : areas) {
+    const bool known = normal.cwiseAbs().maxCoeff() > same_direction || std::any_of(directions.begin(), directions.end(), [&](const Vec3& d) { return std::abs(d.dot(normal)) > same_direction; });
+    if (!known && directions.size() < most_directions) directions.push_back(normal);
+  }
+  return directions;
+}
+
+std::vector<Meeting::Reach> Meeting::reaches_of(const SumOperand& mesh, const FacetTree& tree, const std::vector<Vec3>& directions) {
+  const std::size_t n = directions.size();
+  std::vector<Reach> reaches(n * tree.nodes().size(), {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+  for (std::size_t node = tree.nodes().size(); node-- > 0;) {   // children come after their parents
+    const FacetTree::Node& of = tree.nodes()[node];
+    const auto extend = [&](std::size_t k, double low, double high) {
+      Reach& reach = reaches[n * node + k];
+      reach = {std::min(reach.low, low), std::max(reach.high, high)};
+    };
+    for (std::size_t k = 0; k < n; ++k)
+      if (of.child != 0) {
+        for (const std::size_t child : {of.child, of.child + 1}) extend(k, reaches[n * child + k].low, reaches[n * child + k].high);
+      } else {
+        for (std::uint32_t f = of.first; f < of.last; ++f)
+          for (const std::uint32_t v : mesh.facets()[tree.order()[f]]) extend(k, directions[k].dot(mesh.points()[v]), directions[k].dot(mesh.points()[v]));
+      }
+  }
+  return reaches;
+}
+
+// Along a direction as along an axis: products of three terms round by no more than three coordinates do.
+bool Meeting::are_apart(std::uint32_t of_a, std::uint32_t of_b, const Vec3& x) const {
+  const FacetTree::Node &m = tree_a_.nodes()[of_a], &n = tree_b_.nodes()[of_b];
+  for (int k = 0; k < 3; ++k)
+    if (x[k] - n.box.max()[k] - m.box.max()[k] > rounding_ || m.box.min()[k] - x[k] + n.box.min()[k] > rounding_) return true;
+  const std::size_t count = directions_.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double at = directions_[k].dot(x);
+    const Reach &a = reaches_a_[count * of_a + k], &b = reaches_b_[count * of_b + k];
+    if (at - b.high - a.high > 3 * rounding_ || a.low - at + b.low > 3 * rounding_) return true;
+  }
+  return false;
+}
+
 template <class Visit>
 bool Meeting::crossings(const Vec3& x, Visit visit) const {
   const auto &nodes_a = tree_a_.nodes(), &nodes_b = tree_b_.nodes();
@@ -137,7 +202,7 @@ bool Meeting::crossings(const Vec3& x, Visit visit) const {
     const auto [i, j] = stack.back();
     stack.pop_back();
     const FacetTree::Node &m = nodes_a[i], &n = nodes_b[j];
-    if (((x - n.box.max() - m.box.max()).array() > rounding_).any() || ((m.box.min() - x + n.box.min()).array() > rounding_).any()) continue;
+    if (are_apart(i, j, x)) continue;
     if (m.child == 0 && n.child == 0) {
       for (std::uint32_t k = m.first; k < m.last; ++k)
         for (std::uint32_t l = n.first; l < n.last; ++l)

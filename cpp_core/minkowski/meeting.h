@@ -39,6 +39,10 @@ class Meeting {
   /// Certainly all three points on one side of the plane through p?
   bool beside(const Shape& facet, const Vec3& p, const std::array<Vec3, 3>& points) const;
 
+  struct Reach {
+    double low, high;
+  };
+
   enum class Answer { no, yes, unknown };
   /// Does the segment from s along d cross the facet whose first corner is `corner`? `sense` -1: the facet is reflected.
   Answer crosses(const Shape& facet, double sense, const Vec3& corner, const Vec3& s, const Vec3& d) const;
@@ -48,6 +52,12 @@ class Meeting {
   template <class Visit>
   bool facets_cross(std::uint32_t f, std::uint32_t g, const Vec3& x, bool& uncertain, Visit& visit) const;
   bool contained(const Vec3& x) const;
+  /// Directions, beside the axes, that much of the operands' area faces: plates that are turned lie apart along them, not along axes.
+  static std::vector<Vec3> directions_of(const SumOperand& a, const SumOperand& b);
+  /// Of every node of the tree and every direction, how far the node's facets reach along it.
+  static std::vector<Reach> reaches_of(const SumOperand& mesh, const FacetTree& tree, const std::vector<Vec3>& directions);
+  /// Do the nodes lie apart, b's being turned round x?
+  bool are_apart(std::uint32_t of_a, std::uint32_t of_b, const Vec3& x) const;
   /// Is p in A, and certainly in x - B for all x within `half` of the middle?
   bool have_in_common(const Vec3& p, const Vec3& middle, const Vec3& half) const;
   /// Does no facet meet the box?
@@ -57,6 +67,8 @@ class Meeting {
   const SumOperand& b_;
   FacetTree tree_a_, tree_b_;
   std::vector<Shape> shapes_a_, shapes_b_;
+  std::vector<Vec3> directions_;
+  std::vector<Reach> reaches_a_, reaches_b_;         // of each node, by directions
   std::vector<std::uint32_t> shells_a_, shells_b_;   // a vertex of every boundary component
   double rounding_;                                  // of any coordinate's difference
 };

@@ -57,6 +57,11 @@ SumOperand::SumOperand(PolyhedronPtr solid, const Placement& placement) : inside
   find_vertices();
 }
 
+bool SumOperand::may_face(std::uint32_t facet, const Vec3& n) const {
+  const NormalCap& normals = faces_[facet].normals;
+  return normals.angle > 1 || n.dot(normals.axis) > -cap_slack;
+}
+
 void SumOperand::find_edges() {
   for (std::uint32_t t = 0; t < facets_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -75,25 +80,25 @@ void SumOperand::find_edges() {
 }
 
 void SumOperand::find_vertices() {
-  struct Link {
-    std::uint32_t vertex;
+  struct Side {
+    Link link;
     int bend;   // below 0: a convex edge
   };
-  std::vector<std::vector<Link>> around(points_.size());
+  std::vector<std::vector<Side>> around(points_.size());
   for (std::uint32_t t = 0; t < facets_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = facets_[t][k], v = facets_[t][(k + 1) % 3], g = neighbours_[t][k];
       std::uint32_t apex = facets_[g][0];
       for (const std::uint32_t c : facets_[g])
         if (c != u && c != v) apex = c;
-      around[u].push_back({v, side(points_[facets_[t][0]], points_[facets_[t][1]], points_[facets_[t][2]], points_[apex])});
+      around[u].push_back({{v, t}, side(points_[facets_[t][0]], points_[facets_[t][1]], points_[facets_[t][2]], points_[apex])});
     }
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     // Where every edge lies below a plane, the operand is either the narrow side of its surface or the wide one. The outermost edges
     // are convex in the first case, reflex in the second, and then the vertex has no normals.
-    if (std::none_of(around[v].begin(), around[v].end(), [](const Link& link) { return link.bend < 0; })) continue;
+    if (std::none_of(around[v].begin(), around[v].end(), [](const Side& s) { return s.bend < 0; })) continue;
     std::vector<Vec3> out;
-    for (const Link& link : around[v]) out.push_back((points_[link.vertex] - points_[v]).normalized());
+    for (const Side& s : around[v]) out.push_back((points_[s.link.vertex] - points_[v]).normalized());
     NormalCap cap;
     if (out.size() > most_links) {
       // n . d <= 0 for all edges d: no farther than a right angle from their mean, turned round.
@@ -116,6 +121,7 @@ void SumOperand::find_vertices() {
           for (const double sense : {1.0, -1.0}) {
             const Vec3 n = sense / length * cross;
             if (!std::all_of(out.begin(), out.end(), [&](const Vec3& d) { return n.dot(d) <= slack; })) continue;
+            if (std::none_of(around[v].begin(), around[v].end(), [&](const Side& s) { return may_face(s.link.facet, n); })) continue;
             extreme.push_back(n);
             narrow = narrow || around[v][i].bend < 0 || around[v][j].bend < 0;
           }
@@ -124,17 +130,17 @@ void SumOperand::find_vertices() {
       cap = needle ? NormalCap{Vec3::UnitZ(), pi} : cap_around(extreme);
     }
     const auto first = static_cast<std::uint32_t>(links_.size());
-    for (const Link& link : around[v]) links_.push_back(link.vertex);
+    for (const Side& s : around[v]) links_.push_back(s.link);
     vertices_.push_back({v, first, static_cast<std::uint32_t>(links_.size()), cap});
   }
 }
 
 bool SumOperand::supports(const Vertex& v, const Vec3& n, double slack) const {
   for (std::uint32_t k = v.first; k < v.last; ++k) {
-    const Vec3 d = points_[links_[k]] - points_[v.vertex];
+    const Vec3 d = points_[links_[k].vertex] - points_[v.vertex];
     if (n.dot(d) > (level_slack + slack) * d.norm()) return false;
   }
-  return true;
+  return std::any_of(links_.begin() + v.first, links_.begin() + v.last, [&](const Link& link) { return may_face(link.facet, n); });
 }
 
 bool SumOperand::supports(const Edge& e, const Vec3& n, double slack) const {
@@ -142,7 +148,7 @@ bool SumOperand::supports(const Edge& e, const Vec3& n, double slack) const {
     const Vec3 d = points_[apex] - points_[e.from];
     if (n.dot(d) > (level_slack + slack) * d.norm()) return false;
   }
-  return true;
+  return may_face(e.facets[0], n) || may_face(e.facets[1], n);
 }
 
 }  // namespace starcell

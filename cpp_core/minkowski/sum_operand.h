@@ -38,7 +38,7 @@ class SumOperand {
   };
   struct Vertex {
     std::uint32_t vertex;
-    std::uint32_t first, last;     ///< its neighbours are links()[first] .. links()[last - 1]
+    std::uint32_t first, last;     ///< its edges are links()[first] .. links()[last - 1]
     NormalCap normals;
   };
   struct Face {
@@ -55,17 +55,24 @@ class SumOperand {
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& links() const { return links_; }
+  /// An edge of a vertex: where it ends, and the face on one side.
+  struct Link {
+    std::uint32_t vertex, facet;
+  };
+  const std::vector<Link>& links() const { return links_; }
   /// Of the whole operand, as it stands.
   const Box3& box() const { return box_; }
   bool inside_out() const { return inside_out_; }
 
-  /// Is the operand nowhere higher than the vertex along n, as far as its edges there go? Conservatively true.
+  /// Is the operand nowhere higher than the vertex along n, as far as its edges and faces there go? Conservatively true. Where that is so, at least
+  /// one of the faces looks along n: of a level place edges alone do not say which side is up.
   bool supports(const Vertex& v, const Vec3& n, double slack) const;
   /// The same of an edge and its faces.
   bool supports(const Edge& e, const Vec3& n, double slack) const;
 
  private:
+  /// Not certainly turned away from n.
+  bool may_face(std::uint32_t facet, const Vec3& n) const;
   void find_edges();
   void find_vertices();
 
@@ -75,7 +82,7 @@ class SumOperand {
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> links_;
+  std::vector<Link> links_;
   Box3 box_;
 };
 

@@ -63,6 +63,44 @@ TEST(Convolution, LeavesOutWhatIsReflex) {
   }
 }
 
+Mesh prism(int sides, double radius, double height, double turn) {
+  Mesh m;
+  for (const double z : {0.0, height})
+    for (int k = 0; k < sides; ++k) m.vertices.emplace_back(radius * std::cos(2 * 3.141592653589793 * k / sides + turn), radius * std::sin(2 * 3.141592653589793 * k / sides + turn), z);
+  const auto n = static_cast<std::uint32_t>(sides);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t next = (k + 1) % n;
+    m.triangles.push_back({k, next, n + next});
+    m.triangles.push_back({k, n + next, n + k});
+    if (k == 0 || next == 0) continue;
+    m.triangles.push_back({0, next, k});
+    m.triangles.push_back({n, n + k, n + next});
+  }
+  return m;
+}
+
+// Parallel ends of many sides: every facet of one meets every corner of the other, but few facets cover either end of the sum, once.
+TEST(Convolution, CoversParallelFacesWithFewFacets) {
+  std::mt19937 random(7);
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Matrix3d rotation = k == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : random_rotation(random);
+    const Mesh a = turned(prism(120, 3, 1, 0), rotation), b = turned(prism(90, 1, 2, 0.001), rotation, {4, 5, 6});
+    const SumOperand one(make(a), {}), other(make(b), {});
+    const Convolution few = convolve(one, other), all = convolve(one, other, {false, false, {}});
+    EXPECT_GT(all.facets.size(), 30000u);
+    EXPECT_LT(few.facets.size(), 3000u);
+    for (const double sense : {1.0, -1.0}) {
+      const Vec3 end = sense * rotation.col(2);
+      double area = 0;
+      for (const Triangle& t : few.facets) {
+        const Vec3 n = 0.5 * (few.points[t[1]] - few.points[t[0]]).cross(few.points[t[2]] - few.points[t[0]]);
+        if (n.dot(end) > 0.999 * n.norm()) area += n.norm();
+      }
+      EXPECT_NEAR(area, hull_volume(all_sums(a, b)) / 3, 1e-9);   // of height 1 + 2
+    }
+  }
+}
+
 // Every pair of vertices counts by its place: symmetric operands reach the same sum by several ways, and facets are kept once.
 TEST(Convolution, KeepsWhatCoincidesOnce) {
   const Mesh cube = box({0, 0, 0}, {1, 1, 1});

@@ -234,6 +234,46 @@ TEST(MinkowskiSum, SaysWhatABudgetLeftOpen) {
   EXPECT_EQ(bad_edges(r), 0u);
 }
 
+// An L of n x n squares without a quarter, two triangles a square, a wall below each side.
+Mesh gridded_l(int n, double side) {
+  Mesh m;
+  const auto holds = [n](int i, int j) { return i >= 0 && j >= 0 && i < n && j < n && (2 * i < n || 2 * j < n); };
+  std::map<std::array<int, 3>, std::uint32_t> index;
+  const auto at = [&](int i, int j, int k) {
+    const auto [it, fresh] = index.emplace(std::array<int, 3>{i, j, k}, static_cast<std::uint32_t>(m.vertices.size()));
+    if (fresh) m.vertices.emplace_back(i * side / n, j * side / n, k);
+    return it->second;
+  };
+  const auto quad = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) { m.triangles.push_back({p, q, r}), m.triangles.push_back({p, r, s}); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      if (!holds(i, j)) continue;
+      quad(at(i, j, 1), at(i + 1, j, 1), at(i + 1, j + 1, 1), at(i, j + 1, 1));
+      quad(at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0));
+      const std::array<std::array<int, 2>, 4> corners{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, beside{{{i, j - 1}, {i + 1, j}, {i, j + 1}, {i - 1, j}}};
+      for (int k = 0; k < 4; ++k) {
+        const auto &p = corners[k], &q = corners[(k + 1) % 4];
+        if (!holds(beside[k][0], beside[k][1])) quad(at(p[0], p[1], 0), at(q[0], q[1], 0), at(q[0], q[1], 1), at(p[0], p[1], 1));
+      }
+    }
+  return m;
+}
+
+// Faces of many facets are covered by the sum of their hulls, which reaches over the notch where nothing of the sum is.
+TEST(MinkowskiSum, OfFinelyMeshedFacesIsThatOfCoarseOnes) {
+  std::mt19937 random(19);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Matrix3d rotation = k == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : random_rotation(random);
+    const auto plates = [&](int n, int m) { return sum(turned(gridded_l(n, 4), rotation), turned(gridded_l(m, 1), rotation), 0.1); };
+    const Result fine = plates(20, 14), coarse = plates(2, 2);
+    EXPECT_NE(fine.certificate.verdict, Verdict::unresolved);
+    EXPECT_EQ(topology(fine), (Topology{1, {0}}));
+    // [0, 5] x [0, 2.5], [0, 4.5] x [0, 3] and the same turned: 20.5; twice as high.
+    EXPECT_NEAR(volume(coarse.vertices, coarse.triangles), 41, 1e-6);
+    EXPECT_NEAR(volume(fine.vertices, fine.triangles), 41, 1e-6);
+  }
+}
+
 // Time may end before there is anything to contour: then the whole sum is open.
 TEST(MinkowskiSum, SaysWhenTimeEndsBeforeAnyFacetIsMade) {
   std::mt19937 random(9);
