@@ -1,12 +1,14 @@
 // Fewer triangles for a closed mesh, by collapsing edges, with a proof of how far the new surface is from the old one.
 //
-// Edges go in the order of their quadric error (Garland & Heckbert 1997), if they pass the link condition (Dey et al. 1999), which
-// keeps the topology, and an exact test against all triangles near by, which keeps the mesh embedded. A collapse replaces a star by a
-// fan with the same rim; seen along one direction, the fan is a graph over what the star covers, and points over each other are matched
-// (star_map.h). All matchings one after another match the whole result with the whole input: the sum of the displacements, kept per
-// triangle, bounds the Hausdorff distance from either side (successive mappings: Cohen, Manocha & Olano 1997).
-// Guarantees: same topology; embedded if the input is; within `bound` of the input, both ways, bound <= most.
-// Does not guarantee: fewest triangles. The bound adds up what collapses did to the same place: the true distance is smaller.
+// Edges go in the order of their quadric error (Garland & Heckbert 1997). A collapse replaces a star by a fan with the same rim. It is kept if
+//   - it passes the link condition (Dey et al. 1999), so that the topology stays;
+//   - seen along one direction the fan is a graph over what the star covers (star_map.h), it meets no other triangle (exact), and no
+//     vertex lies between the two: then the star moves to the fan without passing through anything, an isotopy;
+//   - every triangle of the fan is within the error of the input, and every triangle of the input that was near the star is within it of
+//     the new mesh (triangle_cover.h): the bound is that of the final mesh from the input, not a sum over collapses.
+// Of each triangle of the input it is kept which of the mesh prove it near, so that a collapse asks only those that relied on its star.
+// Guarantees: isotopic to the input, embedded if it is; within `bound` of it, both ways, bound <= most.
+// Does not guarantee: fewest triangles.
 #pragma once
 
 #include <functional>
@@ -22,7 +24,7 @@ struct Decimated {
   double bound = 0;   ///< of the two-sided Hausdorff distance from the input
 };
 
-/// Of a closed, embedded manifold. `go_on` is asked now and then; once it says no, what has been reached is returned.
-Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool()>& go_on = {});
+/// Of a closed, embedded manifold. `go_on` is asked now and then, with how much is done, in [0, 1]; once it says no, what has been reached is returned.
+Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on = {});
 
 }  // namespace starcell

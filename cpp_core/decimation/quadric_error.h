@@ -13,6 +13,8 @@ class QuadricError {
 
   QuadricError& operator+=(const QuadricError& other);
   double at(const Vec3& x) const;
+  /// The sum of all weights.
+  double weight() const { return a_.trace(); }
   /// The point of least error; `start` decides where the planes leave it open, and ties weakly to it elsewhere.
   Vec3 least(const Vec3& start) const;
 

@@ -1,23 +1,16 @@
-// The matching of two discs of triangles with one rim, by projection along a direction: how far apart it finds their points.
+// Two discs of triangles with one rim, seen along a direction: is the second a graph over what the first covers?
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "numerics/vector.h"
+#include "decimation/triangle_cover.h"
 
 namespace starcell {
 
-/// A triangle, and how far its points are already from where they came from.
-struct MovedTriangle {
-  std::array<Vec3, 3> corners;
-  double moved = 0;
-};
-
-/// Both discs have the same rim, the second is a fan about its triangles' first corner. For each triangle of the second: a bound of
-/// how far its points are from where those of the first came from, matched along the unit vector `along`. Nothing if the fan does not
-/// project injectively, or if the first disc's shadow leaves the fan's. (The first may fold over: having the same rim it covers all of
-/// the fan's shadow, once or more.)
-std::optional<std::vector<double>> match(const std::vector<MovedTriangle>& before, const std::vector<std::array<Vec3, 3>>& fan, const Vec3& along);
+/// The discs have the same rim, the second is a fan about its triangles' first corner. True if the fan projects injectively along the unit
+/// vector `along`, and the first disc's shadow is within the fan's. (The first may fold over: having the same rim it covers all of the fan's
+/// shadow, once or more.) Then both are discs in the cylinder over that shadow, with one boundary on its side: an isotopy of the cylinder
+/// takes one to the other.
+bool is_graph_over(const std::vector<Corners>& before, const std::vector<Corners>& fan, const Vec3& along);
 
 }  // namespace starcell

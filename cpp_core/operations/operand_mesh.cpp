@@ -15,7 +15,7 @@ constexpr double decimation_share = 0.5;
 // them.
 PolyhedronPtr thinned(Result mesh, double error, const char* name, const Progress& progress, double seconds) {
   const Clock patience(decimation_share * seconds);
-  const auto go_on = [&] {
+  const auto go_on = [&](double) {
     if (progress && !progress(0.99, "decimating")) throw CancelledError("The run was cancelled.");
     return patience.left() > 0;
   };

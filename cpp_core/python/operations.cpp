@@ -10,6 +10,7 @@
 #include "bindings.h"
 #include "interruptible.h"
 #include "operations/minkowski.h"
+#include "operations/simplify.h"
 #include "solids/mesh_writer.h"
 
 namespace starcell::python {
@@ -81,6 +82,24 @@ py::object evaluate_expression(const Expression& expression, std::optional<doubl
     result = evaluate(expression, options);
   });
   const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
+  const Certificate& certificate = record->result.certificate;
+  py::object object = py::cast(record);
+  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
+  return object;
+}
+
+// An operation on the mesh itself.
+py::object simplify_solid(const Expression& solid, std::optional<double> error, std::optional<double> contact, int threads,
+                          const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
+  const bool raises = read_raises(on_unresolved);
+  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
+  Options options = read_options(error, contact, "trace", threads, budget);
+  Result result;
+  run_interruptible(progress, [&](const Progress& report) {
+    options.progress = report;
+    result = simplify(solid, options);
+  });
+  const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), solid, error, contact});
   const Certificate& certificate = record->result.certificate;
   py::object object = py::cast(record);
   if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
@@ -225,6 +244,12 @@ void bind_operations(py::module_& module) {
       "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever "
       "progress "
       "raises, KeyboardInterrupt. Source: T§3.");
+  module.def(
+      "simplify", &simplify_solid, py::arg("solid"), py::arg("error") = py::none(), py::arg("contact") = py::none(), py::arg("threads") = 0,
+      py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      "The Solid in fewer triangles: same components and genus, embedded, within `error` (model units) both ways.\n\nerror None: longest side of "
+      "the bounding box / 128. statistics[\"triangles.before\"] counts what was decimated. Arguments, and errors raised, as for evaluate(). "
+      "Source: T§3.12.2, Garland & Heckbert 1997.");
   bind_prepared<double>(module, "offset", "solid", "distance", &prepare_offset,
                 "The rounded offset of a Solid: all points within `distance` of it (> 0, model units), or all its points farther than "
                 "-distance from its boundary (< 0).\n\nOther arguments, and errors raised, as for evaluate(); error None: longest side of the "

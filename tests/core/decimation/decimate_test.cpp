@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <random>
 
 #include "decimation/star_map.h"
 #include "solids/point_distance.h"
 #include "solids/self_intersection.h"
+#include "solids/upward_ray.h"
 
 namespace starcell {
 namespace {
@@ -131,32 +133,63 @@ TEST(Decimate, KeepsSheetsApart) {
 
 TEST(Decimate, StopsWhenAsked) {
   const Sample s = torus(40, 20, 0.01, 3);
-  EXPECT_GT(decimate(s.vertices, s.triangles, 0.2, [] { return false; }).triangles.size(), decimate(s.vertices, s.triangles, 0.2).triangles.size());
+  EXPECT_GT(decimate(s.vertices, s.triangles, 0.2, [](double) { return false; }).triangles.size(), decimate(s.vertices, s.triangles, 0.2).triangles.size());
 }
 
-// A square pyramid's four sides against the same square cut in two by a diagonal: over the apex, which is as high as the pyramid.
-TEST(StarMap, FindsTheHeightBetweenDiscs) {
+// A square pyramid's four sides, and a fan about a point of its base: a graph over them. Folded over, as long as nothing leaves the base.
+TEST(StarMap, TellsGraphs) {
   const std::vector<Vec3> rim{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Vec3 apex(0.5, 0.5, 0.3);
-  std::vector<MovedTriangle> before;
-  for (std::size_t k = 0; k < 4; ++k) before.push_back({{apex, rim[k], rim[(k + 1) % 4]}, 0.1});
-  std::vector<std::array<Vec3, 3>> fan;
+  std::vector<Corners> before, fan;
+  for (std::size_t k = 0; k < 4; ++k) before.push_back({apex, rim[k], rim[(k + 1) % 4]});
   for (std::size_t k = 0; k < 4; ++k) fan.push_back({Vec3(0.25, 0.5, 0), rim[k], rim[(k + 1) % 4]});
-  const auto moved = match(before, fan, Vec3(0, 0, 1));
-  ASSERT_TRUE(moved);
-  EXPECT_NEAR((*moved)[1], 0.3 + 0.1, 1e-9);    // the pyramid's apex is over this one
-  EXPECT_NEAR((*moved)[3], 0.15 + 0.1, 1e-9);   // the pyramid is highest where the fan has its apex
-  // Folded over, but still over the fan: the apex beyond the fourth side, that side turned over.
-  for (MovedTriangle& t : before) t.corners[0] = Vec3(0.1, 0.5, 0.3), t.moved = 0;
-  before[3].corners = {Vec3(0.1, 0.5, 0.3), rim[3], Vec3(0.3, 0.5, 0)};
-  before.push_back({{Vec3(0.1, 0.5, 0.3), Vec3(0.3, 0.5, 0), rim[0]}, 0});
-  before.push_back({{Vec3(0.3, 0.5, 0), rim[3], rim[0]}, 0});
-  EXPECT_TRUE(match(before, fan, Vec3(0, 0, 1)));
-  before[3].corners[2] = before[4].corners[1] = before[5].corners[0] = Vec3(-0.1, 0.5, 0);   // beyond the rim
-  EXPECT_FALSE(match(before, fan, Vec3(0, 0, 1)));
-  EXPECT_FALSE(match(before, fan, Vec3(1, 0, 0)));   // seen on edge
+  EXPECT_TRUE(is_graph_over(before, fan, Vec3(0, 0, 1)));
+  // The apex beyond the fourth side, that side turned over.
+  for (Corners& t : before) t[0] = Vec3(0.1, 0.5, 0.3);
+  before[3] = {Vec3(0.1, 0.5, 0.3), rim[3], Vec3(0.3, 0.5, 0)};
+  before.push_back({Vec3(0.1, 0.5, 0.3), Vec3(0.3, 0.5, 0), rim[0]});
+  before.push_back({Vec3(0.3, 0.5, 0), rim[3], rim[0]});
+  EXPECT_TRUE(is_graph_over(before, fan, Vec3(0, 0, 1)));
+  before[3][2] = before[4][1] = before[5][0] = Vec3(-0.1, 0.5, 0);   // beyond the rim
+  EXPECT_FALSE(is_graph_over(before, fan, Vec3(0, 0, 1)));
+  EXPECT_FALSE(is_graph_over(before, fan, Vec3(1, 0, 0)));   // seen on edge
   std::swap(fan[0][1], fan[0][2]);
-  EXPECT_FALSE(match(before, fan, Vec3(0, 0, 1)));   // folded
+  EXPECT_FALSE(is_graph_over(before, fan, Vec3(0, 0, 1)));   // folded
+}
+
+// A tiny ball beside a large one's surface: collapses that pass over it would leave it on the other side.
+TEST(Decimate, PassesOverNothing) {
+  Sample s = torus(24, 12, 0.0, 0);
+  const auto inside = [&](const std::vector<Vec3>& v, const std::vector<Triangle>& triangles, const Vec3& x) {
+    bool in = false;
+    for (const Triangle& t : triangles) in ^= is_above(v[t[0]], v[t[1]], v[t[2]], x);
+    return in;
+  };
+  // Thirty balls of 0.01 just outside, in the dents between ridges that a coarser torus has no room for.
+  const std::size_t m = s.triangles.size();
+  std::vector<Vec3> middles;
+  for (std::size_t t = 0; t < m; t += m / 30) {
+    const Vec3 &a = s.vertices[s.triangles[t][0]], &b = s.vertices[s.triangles[t][1]], &c = s.vertices[s.triangles[t][2]];
+    middles.push_back((a + b + c) / 3 + 0.03 * (b - a).cross(c - a).normalized());
+  }
+  for (const Vec3& x : middles) {
+    const auto n = static_cast<std::uint32_t>(s.vertices.size());
+    for (const Vec3& d : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) s.vertices.push_back(x + 0.01 * d);
+    for (const Triangle& t : {Triangle{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}) s.triangles.push_back({n + t[0], n + t[1], n + t[2]});
+  }
+  const Decimated d = decimate(s.vertices, s.triangles, 0.3);
+  EXPECT_LT(d.triangles.size(), s.triangles.size() / 2);
+  // The largest component is the torus; every other one is a ball, and still outside it.
+  std::vector<std::uint32_t> root(d.vertices.size());
+  for (std::uint32_t v = 0; v < root.size(); ++v) root[v] = v;
+  const std::function<std::uint32_t(std::uint32_t)> find = [&](std::uint32_t v) { return root[v] == v ? v : root[v] = find(root[v]); };
+  for (const Triangle& t : d.triangles) root[find(t[1])] = find(t[0]), root[find(t[2])] = find(t[0]);
+  std::map<std::uint32_t, std::vector<Triangle>> pieces;
+  for (const Triangle& t : d.triangles) pieces[find(t[0])].push_back(t);
+  ASSERT_EQ(pieces.size(), middles.size() + 1);
+  const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const auto& p, const auto& q) { return p.second.size() < q.second.size(); });
+  for (const auto& [at, triangles] : pieces)
+    if (at != largest->first) EXPECT_FALSE(inside(d.vertices, largest->second, d.vertices[triangles[0][0]]));
 }
 
 }  // namespace
