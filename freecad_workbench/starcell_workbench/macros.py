@@ -15,6 +15,7 @@ from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .operation_feature import recompute
 from .rescue_feature import Rescue
+from .simplify_feature import Simplify
 from .solid_feature import ToSolid
 
 
@@ -72,6 +73,11 @@ def make_closing(obj, element, error=None, contact=None, label=None, document=No
 def make_minkowski_sum(obj, element, error=None, contact=None, label=None, document=None):
     """`obj` swept by `element`: all sums of a point of one and a point of the other, both as they stand in the document."""
     return make(MinkowskiSum, {"Source": obj, "Element": element}, error, contact, label, document)
+
+
+def make_simplified(obj, error=None, contact=None, label=None, document=None):
+    """`obj` in fewer triangles, within the error both ways."""
+    return make(Simplify, {"Source": obj}, error, contact, label, document)
 
 
 def _make_with_element(operation, obj, element, error, contact, label, document):

@@ -3,5 +3,6 @@ from .boolean_feature import Cut, Intersection, Union
 from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .rescue_feature import Rescue
+from .simplify_feature import Simplify
 
-ALL = (Union, Cut, Intersection, Rescue, Offset, Shell, MinkowskiSum, Erode, Opening, Closing)
+ALL = (Union, Cut, Intersection, Rescue, Offset, Shell, MinkowskiSum, Erode, Opening, Closing, Simplify)
