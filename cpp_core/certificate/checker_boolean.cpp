@@ -149,6 +149,7 @@ Mesh evaluate(const CertificateFile& file) {
       case Expression::Kind::curved: throw Undecided("an operand is curved, and CGAL's Booleans are of polyhedra");
       case Expression::Kind::offset: throw Undecided("an operand is an offset, and CGAL's Booleans are of polyhedra");
       case Expression::Kind::sum: throw Undecided("an operand is a Minkowski sum, and CGAL's Booleans are of polyhedra");
+      case Expression::Kind::winding: throw Undecided("an operand is what crossing triangles wind about, and CGAL's Booleans are of polyhedra");
       case Expression::Kind::complement: values.push_back(complement(values[node.children.front()])); continue;
       default: break;
     }

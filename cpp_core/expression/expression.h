@@ -12,6 +12,7 @@
 #include "distance/offset_solid.h"
 #include "minkowski/sum_solid.h"
 #include "numerics/vector.h"
+#include "repair/winding_solid.h"
 #include "solids/curved_solid.h"
 #include "solids/half_space.h"
 #include "solids/polyhedron.h"
@@ -20,13 +21,14 @@ namespace starcell {
 
 class Expression {
  public:
-  enum class Kind { polyhedron, half_space, curved, offset, sum, set_union, intersection, complement };
+  enum class Kind { polyhedron, half_space, curved, offset, sum, winding, set_union, intersection, complement };
 
   explicit Expression(PolyhedronPtr solid);
   explicit Expression(const HalfSpace& half_space);
   explicit Expression(CurvedSolidPtr solid);
   explicit Expression(OffsetSolidPtr solid);
   explicit Expression(SumSolidPtr solid);
+  explicit Expression(WindingSolidPtr solid);
 
   /// Union and intersection of one or more expressions. Throws std::invalid_argument when empty.
   static Expression set_union(const std::vector<Expression>& operands);
@@ -43,6 +45,7 @@ class Expression {
   const CurvedSolidPtr& curved() const { return node_->curved; }            ///< kind() == curved
   const OffsetSolidPtr& offset() const { return node_->offset; }            ///< kind() == offset
   const SumSolidPtr& sum() const { return node_->sum; }                     ///< kind() == sum
+  const WindingSolidPtr& winding() const { return node_->winding; }         ///< kind() == winding
   const std::vector<Expression>& operands() const { return node_->operands; }
 
   /// A box that contains the solid. Throws UnboundedError if none can be derived.
@@ -57,6 +60,7 @@ class Expression {
     CurvedSolidPtr curved;
     OffsetSolidPtr offset;
     SumSolidPtr sum;
+    WindingSolidPtr winding;
     std::vector<Expression> operands;
   };
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}

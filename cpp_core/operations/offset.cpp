@@ -45,7 +45,8 @@ class Offsetting {
       case Kind::half_space:
       case Kind::curved:
       case Kind::offset:
-      case Kind::sum: break;
+      case Kind::sum:
+      case Kind::winding: break;
     }
     return of(Expression(meshed(e)), r);
   }

@@ -37,6 +37,7 @@ class Gatherer {
       case Expression::Kind::curved: curved(e.curved()); return;
       case Expression::Kind::offset: offset(e.offset()); return;
       case Expression::Kind::sum: sum(e.sum()); return;
+      case Expression::Kind::winding: winding(e.winding()); return;
       default: break;
     }
     for (const Expression& operand : e.operands()) visit(operand);
@@ -96,6 +97,12 @@ class Gatherer {
       sources.push_back(solid->a());
       sources.push_back(solid->b());
     }
+    program.push_back({LocalExpression::Op::leaf, first_sum + it->second});
+  }
+
+  void winding(const WindingSolidPtr& solid) {
+    const auto [it, fresh] = index_.emplace(solid.get(), static_cast<std::uint32_t>(candidates.size()));
+    if (fresh) candidates.push_back(solid);
     program.push_back({LocalExpression::Op::leaf, first_sum + it->second});
   }
 

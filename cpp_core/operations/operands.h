@@ -9,14 +9,14 @@ namespace starcell {
 
 struct Operands {
   std::vector<PolyhedronPtr> solids;   ///< each once, however often it occurs
-  std::vector<CandidateSolidPtr> candidates;   ///< sums; they come after all polyhedra
+  std::vector<CandidateSolidPtr> candidates;   ///< sums and what triangles wind about; they come after all polyhedra
   std::vector<RegionOperand> regions;   ///< those of curved solids; they come last
   LocalExpression expression;
 
   /// The polyhedra that offsets and sums are of.
   std::vector<PolyhedronPtr> sources;
 
-  /// Per candidate: which two of the sources it is made of.
+  /// Per sum: which two of the sources it is made of.
   std::vector<std::pair<std::size_t, std::size_t>> summands;
 
   std::size_t size() const { return solids.size() + candidates.size() + regions.size(); }

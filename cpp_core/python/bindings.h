@@ -8,6 +8,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "expression/expression.h"
 #include "operations/boolean.h"
@@ -30,6 +33,7 @@ struct ResultRecord {
   std::optional<Expression> expression;  ///< none: the operation is no Boolean
   std::optional<double> error;           ///< as asked for
   std::optional<double> contact;
+  std::vector<std::pair<std::string, Box3>> findings{};  ///< what repair() found wrong, and where
 };
 
 /// Python's Certificate. Keeps the record, and so the mesh and the operands, for save().

@@ -10,6 +10,7 @@
 #include "bindings.h"
 #include "interruptible.h"
 #include "operations/minkowski.h"
+#include "operations/repair.h"
 #include "operations/simplify.h"
 #include "solids/mesh_writer.h"
 
@@ -100,6 +101,26 @@ py::object simplify_solid(const Expression& solid, std::optional<double> error, 
     result = simplify(solid, options);
   });
   const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), solid, error, contact});
+  const Certificate& certificate = record->result.certificate;
+  py::object object = py::cast(record);
+  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
+  return object;
+}
+
+py::object repair_soup(const py::object& vertices, const py::object& triangles, std::optional<double> error, std::optional<double> contact, int threads,
+                       const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
+  const bool raises = read_raises(on_unresolved);
+  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
+  Options options = read_options(error, contact, "trace", threads, budget);
+  std::vector<Vec3> points = read_points(vertices, "vertices");
+  std::vector<Triangle> corners = read_triangles(triangles, "triangles", points.size());
+  Repaired repaired;
+  run_interruptible(progress, [&](const Progress& report) {
+    options.progress = report;
+    repaired = repair(std::move(points), std::move(corners), options);
+  });
+  const auto record = std::make_shared<ResultRecord>(
+      ResultRecord{std::move(repaired.result), std::move(repaired.solids), error, contact, std::move(repaired.findings)});
   const Certificate& certificate = record->result.certificate;
   py::object object = py::cast(record);
   if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
@@ -202,6 +223,14 @@ void bind_result(py::module_& module) {
       .def_property_readonly(
           "certificate", [](const std::shared_ptr<ResultRecord>& self) { return CertificateHandle{self}; },
           "The Certificate of this mesh; its lengths are in model units.")
+      .def_property_readonly(
+          "findings",
+          [](const ResultRecord& self) {
+            py::list found;
+            for (const auto& [what, where] : self.findings) found.append(py::make_tuple(what, to_tuple(where)));
+            return found;
+          },
+          "What repair() found wrong and put right, in order: (what: str, (lower, upper)), model units. Empty for other operations.")
       .def(
           "as_solid",
           [](const ResultRecord& self) {
@@ -250,6 +279,13 @@ void bind_operations(py::module_& module) {
       "The Solid in fewer triangles: same components and genus, embedded, within `error` (model units) both ways.\n\nerror None: longest side of "
       "the bounding box / 128. statistics[\"triangles.before\"] counts what was decimated. Arguments, and errors raised, as for evaluate(). "
       "Source: T§3.12.2, Garland & Heckbert 1997.");
+  module.def(
+      "repair", &repair_soup, py::arg("vertices"), py::arg("triangles"), py::arg("error") = py::none(), py::arg("contact") = py::none(),
+      py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      "The solid that triangles mean: the boundary of {winding number >= 1}.\n\nvertices: (n, 3) floats; triangles: (m, 3) indices, in any state: "
+      "crossing, overlapping, doubled, turned, or with holes up to 10 `error` wide (model units), which are filled. error None: longest side / 128. "
+      "Result.findings lists what was wrong, and where. Raises InvalidSolidError, with the reason, for what has no inside; else as evaluate(). "
+      "Source: Jacobson et al. 2013.");
   bind_prepared<double>(module, "offset", "solid", "distance", &prepare_offset,
                 "The rounded offset of a Solid: all points within `distance` of it (> 0, model units), or all its points farther than "
                 "-distance from its boundary (< 0).\n\nOther arguments, and errors raised, as for evaluate(); error None: longest side of the "

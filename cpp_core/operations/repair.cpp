@@ -1,0 +1,134 @@
+#include "operations/repair.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "repair/winding_solid.h"
+#include "solids/errors.h"
+#include "solids/triangle_hierarchy.h"
+#include "solids/triangle_pair.h"
+#include "solids/upward_ray.h"
+
+namespace starcell {
+namespace {
+
+constexpr double widest_hole = 10;   // in errors
+// More are not listed: then which of them are depends on the order in which they were found.
+constexpr std::size_t most_crossings = 100000;
+
+struct Shell {
+  std::vector<Triangle> triangles;
+  double volume = 0;
+};
+
+std::vector<Shell> shells_of(const ClosedSoup& soup) {
+  std::vector<Shell> shells(soup.pieces);
+  const Vec3 origin = soup.vertices.front();
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    shells[soup.piece[t]].triangles.push_back(soup.triangles[t]);
+    shells[soup.piece[t]].volume += (soup.vertices[a] - origin).dot((soup.vertices[b] - origin).cross(soup.vertices[c] - origin));
+  }
+  return shells;
+}
+
+bool holds(const ClosedSoup& soup, const Shell& shell, const Vec3& x) {
+  bool inside = false;
+  for (const auto& [a, b, c] : shell.triangles) inside ^= is_above(soup.vertices[a], soup.vertices[b], soup.vertices[c], x);
+  return inside;
+}
+
+// With the vertices that it uses.
+PolyhedronPtr by_itself(const std::vector<Vec3>& points, std::vector<Triangle> triangles) {
+  std::unordered_map<std::uint32_t, std::uint32_t> number;
+  std::vector<Vec3> own;
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) {
+      const auto [at, fresh] = number.try_emplace(v, static_cast<std::uint32_t>(own.size()));
+      if (fresh) own.push_back(points[v]);
+      v = at->second;
+    }
+  return Polyhedron::make(std::move(own), std::move(triangles));
+}
+
+// The pieces as sound solids, each cavity with the smallest solid about it; none if some piece is not sound.
+std::optional<std::vector<Expression>> sound_solids(const ClosedSoup& soup) {
+  const std::vector<Shell> shells = shells_of(soup);
+  std::vector<std::vector<Triangle>> solids(shells.size());
+  for (std::size_t s = 0; s < shells.size(); ++s)
+    if (shells[s].volume > 0) solids[s] = shells[s].triangles;
+  for (const Shell& cavity : shells) {
+    if (cavity.volume > 0) continue;
+    const Shell* about = nullptr;
+    for (const Shell& shell : shells)
+      if (shell.volume > 0 && (!about || shell.volume < about->volume) && holds(soup, shell, soup.vertices[cavity.triangles.front()[0]])) about = &shell;
+    if (!about) return std::nullopt;
+    auto& solid = solids[about - shells.data()];
+    solid.insert(solid.end(), cavity.triangles.begin(), cavity.triangles.end());
+  }
+  std::vector<Expression> result;
+  for (const auto& triangles : solids) {
+    if (triangles.empty()) continue;
+    try {
+      result.emplace_back(by_itself(soup.vertices, triangles));
+    } catch (const InvalidSolidError&) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+// Where triangles meet outside shared vertices and edges, doubled ones among them.
+std::vector<Box3> crossings(const ClosedSoup& soup) {
+  std::vector<Triangle> triangles = soup.triangles;
+  std::erase_if(triangles, [&](const Triangle& t) { return has_no_area(soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]); });
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::mutex guard;
+  TriangleHierarchy(soup.vertices, triangles).overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
+    Triangle a = triangles[s], b = triangles[t];
+    bool meet = meet_outside_shared(soup.vertices, a, b);
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    meet = meet || a == b;
+    const std::lock_guard<std::mutex> lock(guard);
+    if (meet) pairs.emplace_back(s, t);
+    return pairs.size() < most_crossings;
+  });
+  std::sort(pairs.begin(), pairs.end());
+  const auto box = [&](std::uint32_t t) { return Box3(soup.vertices[triangles[t][0]]).extend(soup.vertices[triangles[t][1]]).extend(soup.vertices[triangles[t][2]]); };
+  std::vector<Box3> places;
+  for (const auto& [s, t] : pairs) places.push_back(box(s).intersection(box(t)));
+  return places;
+}
+
+}  // namespace
+
+Repaired repair(std::vector<Vec3> vertices, std::vector<Triangle> triangles, const Options& options) {
+  Box3 box;
+  for (const Vec3& p : vertices)
+    if (p.allFinite()) box.extend(p);
+  Options with_error = options;
+  with_error.error = options.error.value_or(longest_side(box) / 128);
+  if (!(*with_error.error > 0)) throw std::invalid_argument("error: must be greater than 0");
+  if (options.progress && !options.progress(0, "closing")) throw CancelledError("The run was cancelled.");
+  ClosedSoup soup = close(std::move(vertices), std::move(triangles), widest_hole * *with_error.error);
+  const auto solids = sound_solids(soup);
+  if (solids && solids->empty()) throw InvalidSolidError("The triangles have no inside: no piece of them winds about anything.");
+  if (!solids) {
+    const std::vector<Box3> places = crossings(soup);
+    for (const Box3& place : places) soup.findings.emplace_back("crossing", place);
+  }
+  std::optional<Expression> sound;
+  if (solids) sound = Expression::set_union(*solids);
+  const Expression solid = sound ? *sound : Expression(std::make_shared<const WindingSolid>(soup.vertices, soup.triangles));
+  Repaired repaired{evaluate(solid, with_error), std::move(soup.findings), sound};
+  if (repaired.result.triangles.empty() && repaired.result.certificate.unresolved.empty())
+    throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
+  for (const auto& [what, where] : repaired.findings) repaired.result.certificate.statistics["repair." + what] += 1;
+  return repaired;
+}
+
+}  // namespace starcell
