@@ -13,6 +13,7 @@
 #include "decimation/star_map.h"
 #include "decimation/triangle_cover.h"
 #include "decimation/triangle_grid.h"
+#include "numerics/predicates.h"
 #include "solids/connectivity.h"
 #include "solids/triangle_pair.h"
 #include "solids/upward_ray.h"
@@ -68,10 +69,15 @@ class Decimation {
   Decimation(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on)
       : points_(std::move(vertices)), triangles_(std::move(triangles)), most_(most), go_on_(go_on), input_points_(points_),
         input_(triangles_), across_input_(connect(points_, triangles_).neighbours), relies_on_(input_.size()), dependents_(input_.size()),
-        far_(input_.size(), 0.0), input_far_(input_.size(), 0.0), seen_(input_.size(), 0), input_seen_(input_.size(), 0), about_(points_.size()), quadrics_(points_.size()), version_(points_.size(), 0), grid_(cell_size()), left_(triangles_.size()) {
+        far_(input_.size(), 0.0), input_far_(input_.size(), 0.0), seen_(input_.size(), 0), input_seen_(input_.size(), 0), about_(points_.size()),
+        quadrics_(points_.size()), version_(points_.size(), 0), grid_(cell_size()), left_(triangles_.size()) {
     Box3 box;
     for (const Vec3& p : points_) box.extend(p);
-    if (!points_.empty()) origin_ = box.center(), slack_ = rounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), unit_ = std::min(most, box.sizes().maxCoeff());
+    if (!points_.empty()) {
+      origin_ = box.center();
+      slack_ = rounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+      unit_ = std::min(most, box.sizes().maxCoeff());
+    }
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       const auto& [a, b, c] = triangles_[t];
       const QuadricError quadric(points_[a] - origin_, points_[b] - origin_, points_[c] - origin_);
@@ -345,7 +351,7 @@ class Decimation {
     int above = 0;
     for (const auto* disc : {&old, &fresh})
       for (const Corners& t : *disc)
-        if (is_above(t[0], t[1], t[2], x)) above += (disc == &old ? 1 : -1) * ((t[1] - t[0]).cross(t[2] - t[0]).z() > 0 ? 1 : -1);
+        if (is_above(t[0], t[1], t[2], x)) above += (disc == &old ? 1 : -1) * turn(project(t[0], 2), project(t[1], 2), project(t[2], 2));
     return above != 0;
   }
 
@@ -379,8 +385,8 @@ class Decimation {
   std::vector<std::vector<std::uint32_t>> relies_on_;   // per triangle of the input: those of the mesh that prove it near
   std::vector<std::vector<std::uint32_t>> dependents_;  // the other way round
   std::vector<double> far_, input_far_;                // bounds of the mesh's triangles' distance from the input, and the other way round
-  std::vector<std::uint32_t> seen_, input_seen_;
-  std::uint32_t stamp_ = 0;
+  std::vector<std::uint64_t> seen_, input_seen_;        // when a triangle was last looked at, in questions asked
+  std::uint64_t stamp_ = 0;
   double slack_ = 0, unit_ = 1, thin_ = thin;
   std::vector<std::vector<std::uint32_t>> about_;      // per vertex: its triangles
   std::vector<QuadricError> quadrics_;

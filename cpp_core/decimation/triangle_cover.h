@@ -66,10 +66,10 @@ Nearness nearness(const Corners& t, const std::vector<Corners>& others);
 std::array<Corners, 2> halves(const Corners& t);
 
 /// Covers T by the surface, from seeds on. `corners(s)`: a triangle's; `across(s, k)`: the one beyond its edge from corner k. Adds the triangles of U to
-/// `used`. Infinite if there is no proof of `most` or less.
+/// `used`. `seen`: of each triangle the stamp of the last question that reached it; `stamp` is a new one. Infinite if there is no proof of `most` or less.
 template <class OfTriangle, class Across>
 double cover(const Corners& t, const std::vector<std::uint32_t>& seeds, const OfTriangle& corners, const Across& across, double most, double slack, double give,
-             std::vector<std::uint32_t>& used, std::vector<std::uint32_t>& seen, std::uint32_t stamp) {
+             std::vector<std::uint32_t>& used, std::vector<std::uint64_t>& seen, std::uint64_t stamp) {
   TriangleCover over(t, slack, give);
   constexpr double too_far = std::numeric_limits<double>::infinity();
   if (!over.has_plane()) return too_far;
@@ -95,7 +95,7 @@ double cover(const Corners& t, const std::vector<std::uint32_t>& seeds, const Of
 /// as beside a sharp edge that it reaches beyond. With a seam of up to `give`.
 template <class OfTriangle, class Across>
 double cover_by_parts(const Corners& t, const std::vector<std::uint32_t>& seeds, const OfTriangle& corners, const Across& across, double most, double slack,
-                      double give, std::vector<std::uint32_t>& used, std::vector<std::uint32_t>& seen, std::uint32_t& stamp) {
+                      double give, std::vector<std::uint32_t>& used, std::vector<std::uint64_t>& seen, std::uint64_t& stamp) {
   constexpr int most_parts = 48;
   used.clear();
   const double whole = cover(t, seeds, corners, across, most, slack, 0, used, seen, ++stamp);

@@ -35,9 +35,10 @@ Surface sheet(int n, double low, double high, const std::function<double(double,
 double bound_of(const Corners& t, const Surface& s, double most, double give = 0) {
   // Beyond an open edge is the triangle itself: nothing more to reach.
   const std::vector<Triangle> across = connect(s.points, s.triangles).neighbours;
-  std::vector<std::uint32_t> seeds, used, seen(s.triangles.size(), 0);
+  std::vector<std::uint32_t> seeds, used;
+  std::vector<std::uint64_t> seen(s.triangles.size(), 0);
   for (std::uint32_t k = 0; k < s.triangles.size(); ++k) seeds.push_back(k);
-  std::uint32_t stamp = 0;
+  std::uint64_t stamp = 0;
   return cover_by_parts(
       t, seeds, [&](std::uint32_t k) { return Corners{s.points[s.triangles[k][0]], s.points[s.triangles[k][1]], s.points[s.triangles[k][2]]}; },
       [&](std::uint32_t k, int edge) { return across[k][edge] == kNoTriangle ? k : across[k][edge]; }, most, 1e-14, give, used, seen, stamp);
