@@ -11,7 +11,7 @@ std::shared_ptr<const SumSolid> SumSolid::make(Kind kind, PolyhedronPtr a, Polyh
 
 SumSolid::SumSolid(Kind kind, PolyhedronPtr a, PolyhedronPtr b, const std::function<void()>& pause)
     : kind_(kind), a_(std::move(a)), b_(std::move(b)), placed_a_(a_, {false, kind == Kind::erosion}), placed_b_(b_, {kind == Kind::erosion, false}),
-      convolution_(convolve(placed_a_, placed_b_, {false, true, pause})), meeting_(placed_a_, placed_b_) {
+      convolution_(convolve(placed_a_, placed_b_, {.origins = false, .covers = true, .pause = pause})), meeting_(placed_a_, placed_b_) {
   const Box3 &one = a_->bounding_box(), &other = b_->bounding_box();
   if (kind == Kind::sum) {
     box_ = Box3(one.min() + other.min(), one.max() + other.max());

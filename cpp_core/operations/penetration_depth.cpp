@@ -88,7 +88,7 @@ class Search {
   /// `convex`: both solids are, so that their sum deflects no more than they do.
   Search(const SumOperand& a, const SumOperand& b, double error, double deflection, bool convex, const Options& options, const Clock& clock)
       : a_(a), b_(b), error_(error), deflection_(deflection), convex_(convex), options_(options), clock_(clock), meeting_(a, b),
-        facets_(convolve(a, b, {true, false, [this] { report("adding faces, edges and vertices"); }})) {
+        facets_(convolve(a, b, {.origins = true, .covers = false, .pause = [this] { report("adding faces, edges and vertices"); }})) {
     if (deflection_ > 0) tree_.emplace(facets_.points, facets_.facets);
     for (const Vec3& p : facets_.points) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
     slack_ = rounding * scale_;

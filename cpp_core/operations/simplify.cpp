@@ -16,6 +16,8 @@ namespace {
 
 // Of the error, what contouring may take, and what opening gaps for float32 may take of the rest.
 constexpr double contour_part = 0.25, gap_part = 0.05;
+// Of the progress: contouring's, if there is any, and where rounding to float32 begins.
+constexpr double contouring_until = 0.5, rounding_from = 0.95;
 
 // A mesh and what is proved of it, before it gets any simpler.
 Result mesh_of(const Expression& solid, double error, const Options& options) {
@@ -23,6 +25,7 @@ Result mesh_of(const Expression& solid, double error, const Options& options) {
     Options inner = options;
     inner.error = contour_part * error;
     inner.contact.reset();
+    if (options.progress) inner.progress = [&](double done, const std::string& stage) { return options.progress(contouring_until * done, stage); };
     return evaluate(solid, inner);
   }
   const Polyhedron& mesh = *solid.polyhedron();
@@ -61,13 +64,14 @@ Result simplify(const Expression& solid, const Options& options) {
   c.requested_error = error;
   c.contact_tolerance = options.contact.value_or(std::isinf(error) ? longest_side(solid.bounding_box()) / 12800 : error / 100);
   const double before = static_cast<double>(result.triangles.size());
+  const double begun = solid.kind() == Expression::Kind::polyhedron ? 0 : contouring_until;
   double done = 0;
   if (!result.triangles.empty() && c.error_bound < error) {
     const double open = error - c.error_bound;
     const auto decimating = std::chrono::steady_clock::now();
     const auto go_on = [&](double share) {
       done = std::max(done, share);
-      tell(0.1 + 0.8 * done, "decimating");
+      tell(begun + (rounding_from - begun) * done, "decimating");
       return clock.left() > 0;
     };
     Decimated few = decimate(std::move(result.vertices), std::move(result.triangles), (1 - gap_part) * open, go_on);
@@ -75,7 +79,7 @@ Result simplify(const Expression& solid, const Options& options) {
     result.vertices = std::move(few.vertices);
     result.triangles = std::move(few.triangles);
     c.statistics["seconds.decimate"] = seconds_since(decimating);
-    const GoOn patient = [&] { return tell(0.95, "rounding to float32"), true; };
+    const GoOn patient = [&] { return tell(rounding_from, "rounding to float32"), true; };
     const auto meeting = meeting_pairs(result.vertices, result.triangles, every_rounding, patient);
     std::vector<MeetingPair> all;
     for (const auto& pairs : meeting) all.insert(all.end(), pairs.begin(), pairs.end());

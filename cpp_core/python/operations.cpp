@@ -71,60 +71,51 @@ Options read_options(std::optional<double> error, std::optional<double> contact,
   return options;
 }
 
-py::object evaluate_expression(const Expression& expression, std::optional<double> error, std::optional<double> contact,
-                               const std::string& criterion, int threads, const std::optional<Budget>& budget,
-                               const py::object& progress, const std::string& on_unresolved) {
+// Runs one operation and hands its record over: `run` takes the options, with a progress that asks Python.
+template <class Run>
+py::object run_operation(Options options, const py::object& progress, const std::string& on_unresolved, const Run& run) {
   const bool raises = read_raises(on_unresolved);
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
-  Options options = read_options(error, contact, criterion, threads, budget);
-  Result result;
+  const auto record = std::make_shared<ResultRecord>();
+  record->error = options.error;
+  record->contact = options.contact;
   run_interruptible(progress, [&](const Progress& report) {
     options.progress = report;
-    result = evaluate(expression, options);
+    run(options, *record);
   });
-  const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
   const Certificate& certificate = record->result.certificate;
   py::object object = py::cast(record);
   if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
   return object;
 }
 
-// An operation on the mesh itself.
+py::object evaluate_expression(const Expression& expression, std::optional<double> error, std::optional<double> contact,
+                               const std::string& criterion, int threads, const std::optional<Budget>& budget,
+                               const py::object& progress, const std::string& on_unresolved) {
+  return run_operation(read_options(error, contact, criterion, threads, budget), progress, on_unresolved, [&](const Options& options, ResultRecord& record) {
+    record.expression = expression;
+    record.result = evaluate(expression, options);
+  });
+}
+
 py::object simplify_solid(const Expression& solid, std::optional<double> error, std::optional<double> contact, int threads,
                           const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
-  const bool raises = read_raises(on_unresolved);
-  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
-  Options options = read_options(error, contact, "trace", threads, budget);
-  Result result;
-  run_interruptible(progress, [&](const Progress& report) {
-    options.progress = report;
-    result = simplify(solid, options);
+  return run_operation(read_options(error, contact, "trace", threads, budget), progress, on_unresolved, [&](const Options& options, ResultRecord& record) {
+    record.expression = solid;
+    record.result = simplify(solid, options);
   });
-  const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), solid, error, contact});
-  const Certificate& certificate = record->result.certificate;
-  py::object object = py::cast(record);
-  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
-  return object;
 }
 
 py::object repair_soup(const py::object& vertices, const py::object& triangles, std::optional<double> error, std::optional<double> contact, int threads,
                        const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
-  const bool raises = read_raises(on_unresolved);
-  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
-  Options options = read_options(error, contact, "trace", threads, budget);
   std::vector<Vec3> points = read_points(vertices, "vertices");
   std::vector<Triangle> corners = read_triangles(triangles, "triangles", points.size());
-  Repaired repaired;
-  run_interruptible(progress, [&](const Progress& report) {
-    options.progress = report;
-    repaired = repair(std::move(points), std::move(corners), options);
+  return run_operation(read_options(error, contact, "trace", threads, budget), progress, on_unresolved, [&](const Options& options, ResultRecord& record) {
+    Repaired repaired = repair(std::move(points), std::move(corners), options);
+    record.result = std::move(repaired.result);
+    record.expression = std::move(repaired.solids);
+    record.findings = std::move(repaired.findings);
   });
-  const auto record = std::make_shared<ResultRecord>(
-      ResultRecord{std::move(repaired.result), std::move(repaired.solids), error, contact, std::move(repaired.findings)});
-  const Certificate& certificate = record->result.certificate;
-  py::object object = py::cast(record);
-  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
-  return object;
 }
 
 constexpr double preparing_share = 0.4;
@@ -133,28 +124,19 @@ constexpr double preparing_share = 0.4;
 template <class Prepare>
 py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::optional<double> contact, const std::string& criterion,
                              int threads, const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
-  const bool raises = read_raises(on_unresolved);
-  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
-  Options options = read_options(error, contact, criterion, threads, budget);
-  std::optional<Expression> expression;
-  Result result;
-  run_interruptible(progress, [&](const Progress& report) {
+  return run_operation(read_options(error, contact, criterion, threads, budget), progress, on_unresolved, [&](Options options, ResultRecord& record) {
     // What is meshed on the way has the first part of the bar, if anything is.
+    const Progress report = options.progress;
     double begun = 0;
     options.progress = [&](double done, const std::string& stage) {
       begun = preparing_share;
       return report(preparing_share * done, stage);
     };
     Prepared prepared = prepare(options);
-    expression = prepared.expression;
+    record.expression = prepared.expression;
     prepared.options.progress = [&](double done, const std::string& stage) { return report(begun + (1 - begun) * done, stage); };
-    result = evaluate(prepared.expression, prepared.options);
+    record.result = evaluate(prepared.expression, prepared.options);
   });
-  const auto record = std::make_shared<ResultRecord>(ResultRecord{std::move(result), expression, error, contact});
-  const Certificate& certificate = record->result.certificate;
-  py::object object = py::cast(record);
-  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
-  return object;
 }
 
 using Preparation = Prepared (*)(const Expression&, double, const Options&);

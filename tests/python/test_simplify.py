@@ -42,10 +42,11 @@ class Simplify(unittest.TestCase):
                 sc.simplify(ball(0.05), error=error)
         with self.assertRaises(sc.CancelledError):
             sc.simplify(ball(0.02), error=0.05, progress=lambda done, stage: False)
-        seen = []
-        sc.simplify(ball(0.02), error=0.05, progress=lambda done, stage: seen.append(done))
-        self.assertEqual(seen, sorted(seen))
-        self.assertEqual(seen[-1], 1)
+        for solid in (ball(0.02), sc.Sphere((0, 0, 0), 1)):  # a mesh; what has to be meshed first
+            seen = []
+            sc.simplify(solid, error=0.05, progress=lambda done, stage: seen.append(done))
+            self.assertEqual(seen, sorted(seen))
+            self.assertEqual(seen[-1], 1)
 
 
 if __name__ == "__main__":

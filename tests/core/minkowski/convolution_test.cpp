@@ -86,7 +86,7 @@ TEST(Convolution, CoversParallelFacesWithFewFacets) {
     const Eigen::Matrix3d rotation = k == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : random_rotation(random);
     const Mesh a = turned(prism(120, 3, 1, 0), rotation), b = turned(prism(90, 1, 2, 0.001), rotation, {4, 5, 6});
     const SumOperand one(make(a), {}), other(make(b), {});
-    const Convolution few = convolve(one, other), all = convolve(one, other, {false, false, {}});
+    const Convolution few = convolve(one, other), all = convolve(one, other, {.origins = false, .covers = false, .pause = {}});
     EXPECT_GT(all.facets.size(), 30000u);
     EXPECT_LT(few.facets.size(), 3000u);
     for (const double sense : {1.0, -1.0}) {
