@@ -1,108 +1,15 @@
 #include "operations/simplify.h"
 
-#include <chrono>
-#include <cmath>
-#include <limits>
-
-#include "certificate/topology.h"
-#include "contouring/float_gaps.h"
 #include "decimation/decimate.h"
-#include "operations/operand_mesh.h"
-#include "operations/tolerances.h"
-#include "solids/errors.h"
+#include "operations/changed_mesh.h"
 
 namespace starcell {
-namespace {
-
-// Of the error, what contouring may take, and what opening gaps for float32 may take of the rest.
-constexpr double contour_part = 0.25, gap_part = 0.05;
-// Of the progress: contouring's, if there is any, and where rounding to float32 begins.
-constexpr double contouring_until = 0.5, rounding_from = 0.95;
-
-// A mesh and what is proved of it, before it gets any simpler.
-Result mesh_of(const Expression& solid, double error, const Options& options) {
-  if (solid.kind() != Expression::Kind::polyhedron) {
-    Options inner = options;
-    inner.error = contour_part * error;
-    inner.contact.reset();
-    if (options.progress) inner.progress = [&](double done, const std::string& stage) { return options.progress(contouring_until * done, stage); };
-    return evaluate(solid, inner);
-  }
-  const Polyhedron& mesh = *solid.polyhedron();
-  const Provenance& from = mesh.provenance();
-  Result result{mesh.vertices(), mesh.triangles(), {}};
-  Certificate& c = result.certificate;
-  Options inner = options;
-  inner.error = error;
-  c.error_bound = split_error(inner, mesh.bounding_box(), from.deflection + from.moved).inputs;
-  if (from.deflection > 0) c.tessellated.emplace_back(from.name, from.proved_deflection());
-  c.contacts = from.contacts;
-  c.unresolved = from.unresolved;
-  if (!c.contacts.empty()) c.verdict = Verdict::contact;
-  if (!c.unresolved.empty()) {
-    c.verdict = Verdict::unresolved;
-    c.error_bound = std::numeric_limits<double>::infinity();
-  }
-  return result;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
-
-}  // namespace
 
 Result simplify(const Expression& solid, const Options& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const Clock clock(options.budget.max_seconds);
-  const double error = options.error.value_or(longest_side(solid.bounding_box()) / 128);
-  if (!(error > 0)) throw std::invalid_argument("error: must be greater than 0");
-  const auto tell = [&](double done, const char* stage) {
-    if (options.progress && !options.progress(done, stage)) throw CancelledError("The run was cancelled.");
-  };
-  tell(0, "meshing");
-  Result result = mesh_of(solid, error, options);
-  Certificate& c = result.certificate;
-  c.requested_error = error;
-  c.contact_tolerance = options.contact.value_or(std::isinf(error) ? longest_side(solid.bounding_box()) / 12800 : error / 100);
-  const double before = static_cast<double>(result.triangles.size());
-  const double begun = solid.kind() == Expression::Kind::polyhedron ? 0 : contouring_until;
-  double done = 0;
-  if (!result.triangles.empty() && c.error_bound < error) {
-    const double open = error - c.error_bound;
-    const auto decimating = std::chrono::steady_clock::now();
-    const auto go_on = [&](double share) {
-      done = std::max(done, share);
-      tell(begun + (rounding_from - begun) * done, "decimating");
-      return clock.left() > 0;
-    };
-    Decimated few = decimate(std::move(result.vertices), std::move(result.triangles), (1 - gap_part) * open, go_on);
-    c.error_bound += few.bound;
-    result.vertices = std::move(few.vertices);
-    result.triangles = std::move(few.triangles);
-    c.statistics["seconds.decimate"] = seconds_since(decimating);
-    const GoOn patient = [&] { return tell(rounding_from, "rounding to float32"), true; };
-    const auto meeting = meeting_pairs(result.vertices, result.triangles, every_rounding, patient);
-    std::vector<MeetingPair> all;
-    for (const auto& pairs : meeting) all.insert(all.end(), pairs.begin(), pairs.end());
-    if (!all.empty()) {
-      const FloatGaps gaps = open_float_gaps(result.vertices, result.triangles, gap_part * open, patient);
-      c.error_bound += gaps.moved;
-      if (!gaps.opened) {
-        c.verdict = Verdict::unresolved;
-        for (const std::uint32_t t : triangles_of(all)) {
-          Box3 box;
-          for (const std::uint32_t v : result.triangles[t]) box.extend(result.vertices[v]);
-          c.unresolved.push_back(box);
-        }
-      }
-    }
-  }
-  count_topology(result.vertices, result.triangles, c);
-  c.statistics["triangles.before"] = before;
-  c.statistics["triangles"] = static_cast<double>(result.triangles.size());
-  c.statistics["vertices"] = static_cast<double>(result.vertices.size());
-  c.statistics["seconds"] = seconds_since(start);
-  tell(1, "done");
-  return result;
+  return changed_mesh(solid, options, "decimating", [](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double, const std::function<bool(double)>& go_on) {
+    Decimated few = decimate(std::move(vertices), std::move(triangles), most, go_on);
+    return Changed{std::move(few.vertices), std::move(few.triangles), few.bound};
+  });
 }
 
 }  // namespace starcell

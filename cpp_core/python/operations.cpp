@@ -10,6 +10,7 @@
 #include "bindings.h"
 #include "interruptible.h"
 #include "operations/minkowski.h"
+#include "operations/remesh.h"
 #include "operations/repair.h"
 #include "operations/simplify.h"
 #include "solids/mesh_writer.h"
@@ -103,6 +104,14 @@ py::object simplify_solid(const Expression& solid, std::optional<double> error, 
   return run_operation(read_options(error, contact, "trace", threads, budget), progress, on_unresolved, [&](const Options& options, ResultRecord& record) {
     record.expression = solid;
     record.result = simplify(solid, options);
+  });
+}
+
+py::object remesh_solid(const Expression& solid, std::optional<double> error, std::optional<double> edge_length, double feature_angle,
+                        std::optional<double> contact, int threads, const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
+  return run_operation(read_options(error, contact, "trace", threads, budget), progress, on_unresolved, [&](const Options& options, ResultRecord& record) {
+    record.expression = solid;
+    record.result = remesh(solid, edge_length, feature_angle, options);
   });
 }
 
@@ -261,6 +270,15 @@ void bind_operations(py::module_& module) {
       "The Solid in fewer triangles: same components and genus, embedded, within `error` (model units) both ways.\n\nerror None: longest side of "
       "the bounding box / 128. statistics[\"triangles.before\"] counts what was decimated. Arguments, and errors raised, as for evaluate(). "
       "Source: T§3.12.2, Garland & Heckbert 1997.");
+  module.def(
+      "remesh", &remesh_solid, py::arg("solid"), py::arg("error") = py::none(), py::arg("edge_length") = py::none(),
+      py::arg("feature_angle") = default_feature_angle, py::arg("contact") = py::none(), py::arg("threads") = 0, py::arg("budget") = py::none(),
+      py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      "The Solid in well-shaped triangles: same components and genus, embedded, within `error` (model units) both ways.\n\nedge_length: of most edges, "
+      "model units; None: 5 errors. Beside sharp edges that are nearer to each other edges are shorter. feature_angle: edges at which the mesh turns "
+      "by more degrees are sharp, and stay where they are. error None: longest side of the bounding box / 128. statistics: \"angle.least\" "
+      "(degrees), \"aspect_ratio.mean\" (1: equal sides), \"aspect_ratio.largest\", \"triangles\", each also with \".before\". Arguments, and errors "
+      "raised, as for evaluate(); ValueError for a length or an angle out of range. Source: T§3.12.2, Botsch & Kobbelt 2004.");
   module.def(
       "repair", &repair_soup, py::arg("vertices"), py::arg("triangles"), py::arg("error") = py::none(), py::arg("contact") = py::none(),
       py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",

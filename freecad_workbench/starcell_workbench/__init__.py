@@ -14,7 +14,7 @@ Works with and without the GUI. The package holds no geometry: it hands FreeCAD'
 and its results back. Documents store class paths of this package, so it is always imported by this one name.
 """
 from .macros import (make_closing, make_cut, make_erode, make_intersection, make_minkowski_sum, make_offset, make_opening,
-                     make_penetration_depth, make_rescue, make_shell, make_simplified, make_solid, make_union)
+                     make_penetration_depth, make_remeshed, make_rescue, make_shell, make_simplified, make_solid, make_union)
 
 __all__ = ["make_closing", "make_cut", "make_erode", "make_intersection", "make_minkowski_sum", "make_offset", "make_opening",
-           "make_penetration_depth", "make_rescue", "make_shell", "make_simplified", "make_solid", "make_union"]
+           "make_penetration_depth", "make_remeshed", "make_rescue", "make_shell", "make_simplified", "make_solid", "make_union"]

@@ -14,6 +14,7 @@ from .depth_feature import PenetrationDepth
 from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .operation_feature import recompute
+from .remesh_feature import Remesh
 from .rescue_feature import Rescue
 from .simplify_feature import Simplify
 from .solid_feature import ToSolid
@@ -78,6 +79,15 @@ def make_minkowski_sum(obj, element, error=None, contact=None, label=None, docum
 def make_simplified(obj, error=None, contact=None, label=None, document=None):
     """`obj` in fewer triangles, within the error both ways."""
     return make(Simplify, {"Source": obj}, error, contact, label, document)
+
+
+def make_remeshed(obj, edge_length=None, feature_angle=40.0, error=None, contact=None, label=None, document=None):
+    """`obj` in well-shaped triangles, within the error both ways. Most edges are of `edge_length` (mm; None: five errors); edges at which the
+    mesh turns by more than `feature_angle` degrees stay where they are."""
+    length = 0.0 if edge_length is None else lengths.parse_positive(edge_length, "edge_length")
+    if not 0 < feature_angle < 180:
+        raise ValueError("feature_angle: must be between 0 and 180 degrees, not {!r}.".format(feature_angle))
+    return make(Remesh, {"Source": obj}, error, contact, label, document, EdgeLength=length, FeatureAngle=feature_angle)
 
 
 def _make_with_element(operation, obj, element, error, contact, label, document):

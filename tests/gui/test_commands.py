@@ -7,7 +7,7 @@ from PySide import QtGui
 import starcell_workbench as scw
 
 NAMES = ("StarCell_Union", "StarCell_Cut", "StarCell_Intersection", "StarCell_Rescue", "StarCell_Offset",
-         "StarCell_Shell", "StarCell_MinkowskiSum", "StarCell_Erode", "StarCell_Opening", "StarCell_Closing", "StarCell_Simplify", "StarCell_PenetrationDepth",
+         "StarCell_Shell", "StarCell_MinkowskiSum", "StarCell_Erode", "StarCell_Opening", "StarCell_Closing", "StarCell_Simplify", "StarCell_Remesh", "StarCell_PenetrationDepth",
          "StarCell_ToSolid")
 
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-#include "decimation/star_map.h"
+#include "isotopy/star_map.h"
 #include "solids/point_distance.h"
 #include "solids/self_intersection.h"
 #include "solids/upward_ray.h"

@@ -1,4 +1,4 @@
-#include "decimation/star_map.h"
+#include "isotopy/star_map.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,8 @@ constexpr double rounding = 1e-12;
 constexpr double least_shadow = 0.05;
 constexpr double least_length = 1e-8;
 constexpr double least_aspect = 1e-4;
+// How often a direction is turned towards what it faces least.
+constexpr int turns = 8;
 
 struct Seen {
   double x, y;
@@ -86,6 +88,21 @@ bool within(const SeenTriangle& t, const std::vector<SeenTriangle>& fan, double 
   return true;
 }
 
+// A direction that no triangle is turned away from, if there is one: large triangles have no more say in it than small ones.
+Vec3 facing_all(const std::vector<Corners>& triangles) {
+  std::vector<Vec3> normals;
+  Vec3 sum = Vec3::Zero();
+  for (const Corners& t : triangles) {
+    const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+    if (n.norm() > 0) normals.push_back(n.normalized()), sum += normals.back();
+  }
+  for (int step = 0; step < turns && !normals.empty(); ++step) {   // towards the one it faces least
+    const auto least = std::min_element(normals.begin(), normals.end(), [&](const Vec3& m, const Vec3& n) { return m.dot(sum) < n.dot(sum); });
+    sum = sum.normalized() + 0.25 * *least;
+  }
+  return sum.norm() > 0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+}
+
 }  // namespace
 
 // A fan whose triangles all face the direction and go once round has a star-shaped shadow with a simple rim. A disc with that rim
@@ -110,6 +127,12 @@ bool is_graph_over(const std::vector<Corners>& before, const std::vector<Corners
     folded = folded || !faces(old_seen.back(), t);
   }
   return !folded || std::all_of(old_seen.begin(), old_seen.end(), [&](const SeenTriangle& t) { return within(t, new_seen, rounding * size); });
+}
+
+bool is_graph_over(const std::vector<Corners>& before, const std::vector<Corners>& fan) {
+  Vec3 along = Vec3::Zero();
+  for (const Corners& t : before) along += (t[1] - t[0]).cross(t[2] - t[0]);
+  return along.norm() > 0 && (is_graph_over(before, fan, along.normalized()) || is_graph_over(before, fan, facing_all(fan)));
 }
 
 }  // namespace starcell

@@ -1,4 +1,4 @@
-#include "decimation/triangle_cover.h"
+#include "isotopy/triangle_cover.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,25 +15,27 @@ constexpr double least_height = 1000;
 }  // namespace
 
 // By the region of the plane that x is over (Ericson 2005, section 5.1.5).
-double distance_to_triangle(const Vec3& x, const Corners& t) {
+Vec3 nearest_on_triangle(const Vec3& x, const Corners& t) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = x - t[0];
   const double d1 = u.dot(w), d2 = v.dot(w);
-  if (d1 <= 0 && d2 <= 0) return w.norm();
+  if (d1 <= 0 && d2 <= 0) return t[0];
   const Vec3 w1 = x - t[1];
   const double d3 = u.dot(w1), d4 = v.dot(w1);
-  if (d3 >= 0 && d4 <= d3) return w1.norm();
+  if (d3 >= 0 && d4 <= d3) return t[1];
   const double c = d1 * d4 - d3 * d2;
-  if (c <= 0 && d1 >= 0 && d3 <= 0) return (w - d1 / (d1 - d3) * u).norm();
+  if (c <= 0 && d1 >= 0 && d3 <= 0) return t[0] + d1 / (d1 - d3) * u;
   const Vec3 w2 = x - t[2];
   const double d5 = u.dot(w2), d6 = v.dot(w2);
-  if (d6 >= 0 && d5 <= d6) return w2.norm();
+  if (d6 >= 0 && d5 <= d6) return t[2];
   const double b = d5 * d2 - d1 * d6;
-  if (b <= 0 && d2 >= 0 && d6 <= 0) return (w - d2 / (d2 - d6) * v).norm();
+  if (b <= 0 && d2 >= 0 && d6 <= 0) return t[0] + d2 / (d2 - d6) * v;
   const double a = d3 * d6 - d5 * d4;
-  if (a <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return (w1 - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1])).norm();
+  if (a <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return t[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1]);
   const double whole = a + b + c;
-  return (w - b / whole * u - c / whole * v).norm();
+  return t[0] + b / whole * u + c / whole * v;
 }
+
+double distance_to_triangle(const Vec3& x, const Corners& t) { return (x - nearest_on_triangle(x, t)).norm(); }
 
 TriangleCover::TriangleCover(const Corners& t, double slack, double give) : origin_(t[0]), slack_(slack) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);

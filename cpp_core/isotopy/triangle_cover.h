@@ -20,6 +20,7 @@ namespace starcell {
 
 using Corners = std::array<Vec3, 3>;
 
+Vec3 nearest_on_triangle(const Vec3& x, const Corners& t);
 double distance_to_triangle(const Vec3& x, const Corners& t);
 
 class TriangleCover {

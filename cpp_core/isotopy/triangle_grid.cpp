@@ -1,4 +1,4 @@
-#include "decimation/triangle_grid.h"
+#include "isotopy/triangle_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // How far a triangle is from a surface: closed forms, surfaces with holes, overhangs, walls below an edge.
-#include "decimation/triangle_cover.h"
+#include "isotopy/triangle_cover.h"
 
 #include <gtest/gtest.h>
 
