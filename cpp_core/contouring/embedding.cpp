@@ -33,25 +33,44 @@ std::vector<Vec3> rounded_copy(const std::vector<Vec3>& vertices, int axes) {
   return result;
 }
 
+// Two triangles as a mesh of their own, rounded along some axes, with shared vertices still shared.
+struct RoundedPair {
+  std::vector<Vec3> six;
+  Triangle s, t;
+
+  RoundedPair(const std::vector<Vec3>& v, const Triangle& first, const Triangle& second, RoundedAxes axes) {
+    const auto add = [&](std::uint32_t vertex) {
+      six.push_back(to_float(v[vertex]));
+      for (int k = 0; k < 3; ++k)
+        if (!(axes >> k & 1)) six.back()[k] = v[vertex][k];
+      return static_cast<std::uint32_t>(six.size() - 1);
+    };
+    for (int k = 0; k < 3; ++k) s[k] = add(first[k]);
+    for (int k = 0; k < 3; ++k) {
+      const auto same = std::find(first.begin(), first.end(), second[k]);
+      t[k] = same != first.end() ? static_cast<std::uint32_t>(same - first.begin()) : add(second[k]);
+    }
+  }
+  bool is_empty(const Triangle& x) const { return has_no_area(six[x[0]], six[x[1]], six[x[2]]); }
+};
+
 // In double, or once rounded.
 bool pair_meets(const std::vector<Vec3>& v, const Triangle& s, const Triangle& t, bool rounded_too) {
   if (!boxes_apart(v, s, t) && (has_no_area(v[s[0]], v[s[1]], v[s[2]]) || has_no_area(v[t[0]], v[t[1]], v[t[2]]) || meet_outside_shared(v, s, t)))
     return true;
   if (!rounded_too) return false;
-  // A small mesh of their own, with shared vertices still shared.
-  std::vector<Vec3> six;
-  Triangle rs, rt;
-  for (int k = 0; k < 3; ++k) rs[k] = static_cast<std::uint32_t>(k), six.push_back(to_float(v[s[k]]));
-  for (int k = 0; k < 3; ++k) {
-    const auto same = std::find(s.begin(), s.end(), t[k]);
-    rt[k] = same != s.end() ? static_cast<std::uint32_t>(same - s.begin()) : static_cast<std::uint32_t>(six.size());
-    if (same == s.end()) six.push_back(to_float(v[t[k]]));
-  }
-  const auto empty = [&](const Triangle& x) { return has_no_area(six[x[0]], six[x[1]], six[x[2]]); };
-  return !boxes_apart(six, rs, rt) && (empty(rs) || empty(rt) || meet_outside_shared(six, rs, rt));
+  const RoundedPair pair(v, s, t, all_axes);
+  return !boxes_apart(pair.six, pair.s, pair.t) && (pair.is_empty(pair.s) || pair.is_empty(pair.t) || meet_outside_shared(pair.six, pair.s, pair.t));
 }
 
 }  // namespace
+
+bool meets_once_rounded(const std::vector<Vec3>& vertices, const Triangle& fresh, const Triangle& other) {
+  return std::any_of(every_rounding.begin(), every_rounding.end(), [&](RoundedAxes axes) {
+    const RoundedPair pair(vertices, fresh, other, axes);
+    return pair.is_empty(pair.s) || (!boxes_apart(pair.six, pair.s, pair.t) && !pair.is_empty(pair.t) && meet_outside_shared(pair.six, pair.s, pair.t));
+  });
+}
 
 bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,
                std::size_t count_b, bool rounded_too) {

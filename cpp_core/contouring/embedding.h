@@ -27,6 +27,9 @@ std::vector<std::vector<MeetingPair>> meeting_pairs(const std::vector<Vec3>& ver
 /// The triangles of such pairs, ascending.
 std::vector<std::uint32_t> triangles_of(const std::vector<MeetingPair>& pairs);
 
+/// Has `fresh` no area, or does it meet the other, in any rounding? Of an other without area it is not asked.
+bool meets_once_rounded(const std::vector<Vec3>& vertices, const Triangle& fresh, const Triangle& other);
+
 /// Does any triangle of one fan meet one of the other? Both index `vertices`; they share no vertex. `rounded_too`: also once
 /// rounded to float32.
 bool fans_meet(const std::vector<Vec3>& vertices, const Triangle* a, std::size_t count_a, const Triangle* b,

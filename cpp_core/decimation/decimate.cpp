@@ -27,7 +27,7 @@ constexpr int most_passes = 4;
 constexpr double free_share = 1e-3;
 constexpr std::size_t look_up_every = 32;
 // The cosine of a fold, and what puts its edges before all others.
-constexpr double fold = -0.7;
+constexpr double fold = -0.7, flat_fold = -0.999;
 constexpr double before_all = 1e100;
 
 double shape_of(const Corners& t) {
@@ -50,6 +50,13 @@ class Decimation {
       const QuadricError quadric(p[0] - origin_, p[1] - origin_, p[2] - origin_);
       for (const std::uint32_t v : mesh_.triangle(t)) quadrics_[v] += quadric;
     }
+  }
+
+  Decimated unfold() {
+    fold_ = flat_fold;
+    folds_only_ = true;
+    pass();
+    return result();
   }
 
   Decimated run() {
@@ -83,7 +90,7 @@ class Decimation {
     const Vec3 n = normal(t);
     for (const std::uint32_t v : mesh_.triangle(t))
       for (const std::uint32_t other : mesh_.about(v))
-        if (n.dot(normal(other)) < fold) return true;
+        if (n.dot(normal(other)) < fold_) return true;
     return false;
   }
 
@@ -112,7 +119,7 @@ class Decimation {
       const bool first = folded(t);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = mesh_.triangle(t)[k], b = mesh_.triangle(t)[(k + 1) % 3];
-        if (a < b || first) propose(a, b, first);
+        if ((a < b && !folds_only_) || first) propose(a, b, first);
       }
     }
     for (std::size_t step = 1; !queue_.empty(); ++step) {
@@ -121,6 +128,7 @@ class Decimation {
       queue_.pop();
       if (version_[c.a] != c.version_a || version_[c.b] != c.version_b || mesh_.about(c.a).empty() || mesh_.about(c.b).empty()) continue;
       if (!collapse(c.a, c.b)) continue;
+      if (folds_only_) continue;
       for (const std::uint32_t v : mesh_.neighbours(c.a)) propose(c.a, v);
     }
     return true;
@@ -174,7 +182,8 @@ class Decimation {
   }
 
   IsotopicMesh mesh_;
-  double most_, unit_ = 1, thin_ = thin;
+  double most_, unit_ = 1, thin_ = thin, fold_ = fold;
+  bool folds_only_ = false;
   const std::function<bool(double)>& go_on_;
   std::vector<QuadricError> quadrics_;
   std::vector<std::uint32_t> version_;
@@ -186,6 +195,10 @@ class Decimation {
 
 Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on) {
   return Decimation(std::move(vertices), std::move(triangles), most, go_on).run();
+}
+
+Decimated unfold(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on) {
+  return Decimation(std::move(vertices), std::move(triangles), most, go_on).unfold();
 }
 
 }  // namespace starcell

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "contouring/embedding.h"
 #include "isotopy/star_map.h"
 #include "numerics/predicates.h"
 #include "solids/connectivity.h"
@@ -17,6 +18,8 @@ namespace {
 
 // Of the coordinates: what is lost in measuring.
 constexpr double rounding = 1e-14;
+// Twice what a coordinate's last digit in float32 is, at most.
+constexpr double float_step = 2.4e-7;
 // Of the error: how far from a triangle's sides one need not look.
 constexpr double seam_share = 0.05;
 
@@ -48,8 +51,8 @@ void sort_once(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-IsotopicMesh::IsotopicMesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles)
-    : points_(std::move(vertices)), triangles_(std::move(triangles)), about_(points_.size()), left_(triangles_.size()), grid_(finest_cell(points_, triangles_)) {
+IsotopicMesh::IsotopicMesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles, bool in_float32)
+    : points_(std::move(vertices)), triangles_(std::move(triangles)), about_(points_.size()), left_(triangles_.size()), grid_(finest_cell(points_, triangles_)), in_float32_(in_float32) {
   double largest = 0;
   for (const Vec3& p : points_) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   slack_ = rounding * largest;
@@ -192,12 +195,17 @@ bool IsotopicMesh::meets_others(const std::vector<std::uint32_t>& disc, const st
   Box3 all;
   for (const Corners& t : old) all.extend(box_of(t));
   for (const Corners& t : fresh) all.extend(box_of(t));
-  std::vector<std::uint32_t> others = grid_.near(all);
+  const double step = in_float32_ ? float_step * std::max(all.min().cwiseAbs().maxCoeff(), all.max().cwiseAbs().maxCoeff()) : 0;   // rounding brings together what is this near
+  std::vector<std::uint32_t> others = grid_.near(Box3(all.min() - Vec3::Constant(step), all.max() + Vec3::Constant(step)));
   std::erase_if(others, [&](std::uint32_t t) { return std::count(disc.begin(), disc.end(), t) > 0; });
   for (const std::uint32_t t : fan) {
-    const Box3 box = box_of(corners(t));
+    const Box3 tight = box_of(corners(t)), box(tight.min() - Vec3::Constant(step), tight.max() + Vec3::Constant(step));
     for (const std::uint32_t other : others)
-      if (box.intersects(box_of(corners(other))) && meet_outside_shared(points_, triangles_[t], triangles_[other])) return true;
+      if (box.intersects(box_of(corners(other))) &&
+          (meet_outside_shared(points_, triangles_[t], triangles_[other]) || (in_float32_ && meets_once_rounded(points_, triangles_[t], triangles_[other]))))
+        return true;
+    for (const std::uint32_t other : fan)
+      if (in_float32_ && other < t && meets_once_rounded(points_, triangles_[t], triangles_[other])) return true;
   }
   // What lies between the two and meets neither lies there as a whole, but for corners on the rim.
   const auto on_rim = [&](std::uint32_t v) { return std::any_of(fan.begin(), fan.end(), [&](std::uint32_t t) { return starcell::has(triangles_[t], v); }); };

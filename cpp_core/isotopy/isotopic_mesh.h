@@ -6,7 +6,7 @@
 //   - every triangle of the fan is within `most` of the first mesh, and every triangle of that which was near the disc is within it of the
 //     new mesh (triangle_cover.h): the bound is that of the mesh as it is from the first one, not a sum over changes.
 // Of each triangle of the first mesh it is kept which of the mesh prove it near, so that a change asks only those that relied on its disc.
-// Guarantees: isotopic to the first mesh, embedded if that is; bound(), both ways. That disc and fan are discs is the caller's to know: the
+// Guarantees: isotopic to the first mesh, embedded (if asked for, in float32 too) if that is; bound(), both ways. That disc and fan are discs is the caller's to know: the
 // link condition for a collapse (Dey et al. 1999), that no edge joins the corners yet for a flip.
 #pragma once
 
@@ -31,8 +31,8 @@ class IsotopicMesh {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  /// A closed, embedded manifold.
-  IsotopicMesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
+  /// A closed, embedded manifold. `in_float32`: changes have to leave it embedded once rounded, too (contouring/embedding.h).
+  IsotopicMesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles, bool in_float32 = false);
 
   /// Triangles have numbers below this; some are gone.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(triangles_.size()); }
@@ -102,6 +102,7 @@ class IsotopicMesh {
   std::vector<std::uint64_t> seen_, first_seen_;         // when a triangle was last looked at, in questions asked
   std::uint64_t stamp_ = 0;
   double slack_ = 0;
+  bool in_float32_;
 };
 
 }  // namespace starcell

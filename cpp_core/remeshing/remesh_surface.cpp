@@ -47,7 +47,7 @@ struct Stopped {};
 class Remesher {
  public:
   Remesher(std::vector<Vec3> vertices, std::vector<Triangle> triangles, const Remeshing& wanted, const std::function<bool(double)>& go_on)
-      : wanted_(wanted), go_on_(go_on), features_(vertices, triangles, wanted.feature_angle, std::max(sliver_share * wanted.most, wanted.off)), mesh_(std::move(vertices), std::move(triangles)) {}
+      : wanted_(wanted), go_on_(go_on), features_(vertices, triangles, wanted.feature_angle, std::max(sliver_share * wanted.most, wanted.off)), mesh_(std::move(vertices), std::move(triangles), true) {}
 
   Remeshed run() {
     try {

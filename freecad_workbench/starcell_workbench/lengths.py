@@ -1,4 +1,4 @@
-"""Lengths as people write and read them."""
+"""Lengths and angles as people write and read them."""
 import decimal
 import math
 
@@ -24,6 +24,18 @@ def parse(value, name):
     return float(quantity)
 
 
+def parse_angle(value, name):
+    """An angle in degrees from a number, a quantity or a text such as "40 deg". Raises TypeError or ValueError that name it."""
+    try:
+        quantity = FreeCAD.Units.Quantity(value) if isinstance(value, str) else value
+        degrees = float(getattr(quantity, "Value", quantity))
+    except Exception:
+        raise ValueError(_no_angle(name, value)) from None
+    if getattr(quantity, "Unit", None) not in (None, FreeCAD.Units.Angle, FreeCAD.Units.Unit()) or not math.isfinite(degrees) or value == "":
+        raise ValueError(_no_angle(name, value))
+    return degrees
+
+
 def parse_positive(value, name):
     length = parse(value, name)
     if length <= 0:
@@ -36,6 +48,10 @@ def show(value, down=False):
     value = getattr(value, "Value", value)
     rounded = decimal.Context(prec=4, rounding=decimal.ROUND_FLOOR if down else decimal.ROUND_CEILING).create_decimal(repr(float(value)))
     return "{:.4g} mm".format(float(rounded))
+
+
+def _no_angle(name, value):
+    return translate("StarCell", "{}: '{}' is no angle; write for example 40 deg.").format(name, value)
 
 
 def _no_length(name, value):

@@ -85,9 +85,10 @@ def make_remeshed(obj, edge_length=None, feature_angle=40.0, error=None, contact
     """`obj` in well-shaped triangles, within the error both ways. Most edges are of `edge_length` (mm; None: five errors); edges at which the
     mesh turns by more than `feature_angle` degrees stay where they are."""
     length = 0.0 if edge_length is None else lengths.parse_positive(edge_length, "edge_length")
-    if not 0 < feature_angle < 180:
+    degrees = lengths.parse_angle(feature_angle, "feature_angle")
+    if not 0 < degrees < 180:
         raise ValueError("feature_angle: must be between 0 and 180 degrees, not {!r}.".format(feature_angle))
-    return make(Remesh, {"Source": obj}, error, contact, label, document, EdgeLength=length, FeatureAngle=feature_angle)
+    return make(Remesh, {"Source": obj}, error, contact, label, document, EdgeLength=length, FeatureAngle=degrees)
 
 
 def _make_with_element(operation, obj, element, error, contact, label, document):

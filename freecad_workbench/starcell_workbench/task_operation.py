@@ -85,7 +85,7 @@ class OperationTask:
 
     def values(self):
         """{property: value} as the fields say. Raises ValueError."""
-        return {name: self._names(name) if isinstance(getattr(self.obj, name), list) else self._length(name) for name in self.fields}
+        return {name: self._names(name) if isinstance(getattr(self.obj, name), list) else self._number(name) for name in self.fields}
 
     def links(self):
         """{role: objects} as the list says."""
@@ -102,8 +102,10 @@ class OperationTask:
             if (now if isinstance(now, list) else now.Value) != value:
                 setattr(self.obj, name, value)
 
-    def _length(self, name):
+    def _number(self, name):
         text = self.fields[name].text().strip()
+        if getattr(self.obj, name).Unit == FreeCAD.Units.Angle:
+            return lengths.parse_angle(text, name)
         parse = lengths.parse_positive if name in ("Error", "Contact") else lengths.parse
         return parse(text, name) if text else 0.0
 
@@ -183,4 +185,6 @@ class OperationTask:
 def _shown(value):
     if isinstance(value, list):
         return ", ".join(value)
+    if value.Unit == FreeCAD.Units.Angle:
+        return "{!r} deg".format(value.Value)
     return "{!r} mm".format(value.Value) if value.Value else ""

@@ -45,3 +45,7 @@ class Remeshed(DocumentTest):
     def test_wrong_lengths_are_named(self):
         with self.assertRaisesRegex(ValueError, "edge_length"):
             scw.make_remeshed(self.box((10, 8, 6)), edge_length="-1 mm")
+        for angle in ("40 mm", "wide", "", 0, 180, float("nan")):
+            with self.assertRaisesRegex(ValueError, "feature_angle"):
+                scw.make_remeshed(self.box((10, 8, 6)), feature_angle=angle)
+        self.assertEqual(scw.make_remeshed(self.box((10, 8, 6)), feature_angle="60 deg").FeatureAngle.Value, 60)

@@ -103,6 +103,18 @@ TEST(Remesh, OfNeedles) {
   for (const Vec3& corner : drum.vertices) EXPECT_TRUE(std::count(r.vertices.begin(), r.vertices.end(), corner) == 1) << corner.transpose();
 }
 
+// Contoured meshes have folds of a few float32 steps: cut in pieces without a look at the rounding they would cross.
+TEST(Remesh, StaysEmbeddedInFloat32) {
+  const auto as_solid = [](const Result& r) { return Expression(Polyhedron::trusted(r.vertices, r.triangles, {})); };
+  const Result block = evaluate(Expression::set_union({solid(box({0, 0, 0}, {60, 40, 10})), solid(box({31, 11, 3}, {51, 31, 33}))}), with_error(0.2));
+  const Expression bore(CurvedSolid::cylinder({41, 21, -10}, {0, 0, 1}, 8, 60));
+  const Result part = evaluate(Expression::difference(as_solid(block), bore), with_error(0.2));
+  const Result r = remesh(as_solid(part), std::nullopt, default_feature_angle, with_error(60.0 / 128));
+  EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(topology(r), (Topology{1, {1}}));
+  expect_sound(r);
+}
+
 TEST(Remesh, OfCurvedSolids) {
   const Result r = remesh(Expression(CurvedSolid::sphere({1, 2, 3}, 2)), std::nullopt, default_feature_angle, with_error(0.05));
   EXPECT_EQ(topology(r), solid_ball());
