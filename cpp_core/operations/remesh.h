@@ -1,6 +1,7 @@
 // The same solid in well-shaped triangles (T§3.12.2): its mesh, remeshed (remeshing/remesh_surface.h).
 //
-// Sharp edges of a mesh stay where they are; of one that is itself only near its solid, or of what is contoured first, as near as that. Guarantees: the certificate's, as changed_mesh.h says. Does not guarantee: angles.
+// Sharp edges of the mesh stay where they are, but for slivers' (remeshing/features.h) and folds of less than 2.6 degrees, which are taken out
+// first, within a quarter of the error (unfold() in decimation/decimate.h). Guarantees: the certificate's, as changed_mesh.h says. Does not guarantee: angles.
 #pragma once
 
 #include <optional>

@@ -276,7 +276,7 @@ void bind_operations(py::module_& module) {
       py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
       "The Solid in well-shaped triangles: same components and genus, embedded, within `error` (model units) both ways.\n\nedge_length: of most edges, "
       "model units; None: 5 errors. Beside sharp edges that are nearer to each other edges are shorter. feature_angle: edges at which the mesh turns "
-      "by more degrees are sharp, and stay where they are. error None: longest side of the bounding box / 128. statistics: \"angle.least\" "
+      "by more degrees are sharp, and stay where they are, but for folds of less than 2.6 degrees and walls narrower than a 64th of the error. error None: longest side of the bounding box / 128. statistics: \"angle.least\" "
       "(degrees), \"aspect_ratio.mean\" (1: equal sides), \"aspect_ratio.largest\", \"triangles\", each also with \".before\". Arguments, and errors "
       "raised, as for evaluate(); ValueError for a length or an angle out of range. Source: T§3.12.2, Botsch & Kobbelt 2004.");
   module.def(
