@@ -15,6 +15,7 @@ from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .operation_feature import recompute
 from .remesh_feature import Remesh
+from .repair_feature import Repair
 from .rescue_feature import Rescue
 from .simplify_feature import Simplify
 from .solid_feature import ToSolid
@@ -89,6 +90,12 @@ def make_remeshed(obj, edge_length=None, feature_angle=40.0, error=None, contact
     if not 0 < degrees < 180:
         raise ValueError("feature_angle: must be between 0 and 180 degrees, not {!r}.".format(feature_angle))
     return make(Remesh, {"Source": obj}, error, contact, label, document, EdgeLength=length, FeatureAngle=degrees)
+
+
+def make_repaired(meshes, error=None, contact=None, label=None, document=None):
+    """The solid that one or more meshes mean together, in whatever state they are: what their triangles wind about. Holes up to ten errors wide
+    are filled; `Flaws` says what was wrong."""
+    return make(Repair, {"Meshes": meshes}, error, contact, label, document)
 
 
 def _make_with_element(operation, obj, element, error, contact, label, document):

@@ -10,6 +10,7 @@ class _Morphology(OperationFeature):
     call = ""  # the engine's function of a solid and an amount
     roles = (Role("Source", QT_TRANSLATE_NOOP("App::Property", "The solid to work on"), many=False),)
     outputs = wall_findings.PROPERTIES
+    highlighted = wall_findings.HIGHLIGHTED
     counts_parts = True  # whether the result is inside the source, or the source in it, well apart
 
     def compute(self, starcell, solids, values, options):

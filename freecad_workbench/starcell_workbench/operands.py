@@ -64,7 +64,7 @@ class _PrimitiveLeaf:
         return self.recipe(starcell).transformed(self.matrix)
 
 
-class _MeshLeaf:
+class MeshLeaf:
     """A mesh: FreeCAD's float32 points, moved in double precision."""
 
     def __init__(self, mesh, matrix):
@@ -131,7 +131,7 @@ def leaf_paths(obj):
 
 def _leaf_paths(obj, seen, path):
     leaf, matrix, _ = obj.getSubObject(path, retType=2)
-    if _is_mesh(leaf) or _has_shape(leaf):
+    if is_mesh(leaf) or _has_shape(leaf):
         # A member of a group inside a container is listed under both.
         key = (leaf.Document.Name, leaf.Name, tuple(matrix.A))
         if key not in seen:
@@ -161,11 +161,11 @@ def add_leaf(operand, obj, path, matrix, folder, faces=False):
     """Adds the shape or mesh at a path, moved by `matrix`. Raises OperandError if there is no solid, unless it lies in a container."""
     leaf, linked, own = resolve(obj, path)
     check_valid(leaf)
-    if _is_mesh(leaf):
+    if is_mesh(leaf):
         mesh = linked.Mesh
         if mesh.CountFacets == 0:
             raise OperandError(translate("StarCell", "'{}' is an empty mesh.").format(leaf.Label))
-        operand.leaves.append(_MeshLeaf(mesh, matrix * own))
+        operand.leaves.append(MeshLeaf(mesh, matrix * own))
         operand.box.add(operand.leaves[-1].box())
         return
     shape = Part.getShape(obj, path)
@@ -200,7 +200,7 @@ def _no_solid(leaf, shape):
     return translate("StarCell", "'{}' has no solid: it is a {}.").format(leaf.Label, shape.ShapeType.lower())
 
 
-def _is_mesh(obj):
+def is_mesh(obj):
     return obj.getLinkedObject(True).isDerivedFrom("Mesh::Feature")
 
 

@@ -38,6 +38,21 @@ class Parameter:
     default: object = None
 
 
+@dataclass(frozen=True)
+class Highlighted:
+    """Places to draw over everything else: boxes, and segments if there are any."""
+    places: str     # property with two corners a box
+    switch: str     # property of the view that turns them on and off
+    title: str      # of the switch in the panel
+    help: str
+    spokes: str = ""  # property with two ends a segment
+
+    @property
+    def last(self):
+        """The property that is added last: once it is there, all are."""
+        return self.spokes or self.places
+
+
 class OperationFeature(Stateless):
     # What a subclass says of itself.
     command = ""    # name of the command, of its icon, and start of the objects' names after "StarCell_"
@@ -46,6 +61,7 @@ class OperationFeature(Stateless):
     roles = ()
     parameters = ()
     faces = None    # the parameter that takes the names of faces picked with the operand, if there is one
+    highlighted = None  # a Highlighted, if there are places to draw
     outputs = ()    # (type, name, attributes, help) of what published() sets
 
     def compute(self, starcell, solids, values, options):

@@ -1,9 +1,8 @@
 """How an operation's object shows itself: icon, operands as children, editing, and a colour of warning if unresolved."""
 import FreeCADGui
 
-from . import crease_lines, resources, thin_highlight
+from . import crease_lines, place_highlight, resources
 from .stateless import Stateless
-from .translation import QT_TRANSLATE_NOOP
 
 WARNING_COLOR = (1.0, 0.60, 0.0)
 HIDDEN = 4
@@ -22,14 +21,14 @@ class OperationView(Stateless):
         self.obj = vobj.Object
         self.task = None
         self.creases = crease_lines.CreaseLines()
-        self.thin = thin_highlight.ThinHighlight()
+        self.highlight = place_highlight.PlaceHighlight()
 
     def add_properties(self, vobj):
         """Adds what is missing: to one of an older version what came later."""
-        if hasattr(vobj.Object, "ThinPlaces") and not hasattr(vobj, "ShowThinPlaces"):
-            vobj.addProperty("App::PropertyBool", "ShowThinPlaces", "StarCell", QT_TRANSLATE_NOOP(
-                "App::Property", "Draws the walls or gaps that are too thin, over everything else"))
-            vobj.ShowThinPlaces = True
+        highlighted = vobj.Object.Proxy.highlighted
+        if highlighted and not hasattr(vobj, highlighted.switch):
+            vobj.addProperty("App::PropertyBool", highlighted.switch, "StarCell", highlighted.help)
+            setattr(vobj, highlighted.switch, True)
 
     def getIcon(self):
         if self.obj.Verdict == "unresolved":
@@ -42,8 +41,9 @@ class OperationView(Stateless):
     def updateData(self, obj, name):
         if name == "Mesh":
             self.creases.update(obj.ViewObject, obj.Mesh)
-        if name in ("Mesh", "ThinSpokes", "ThinPlaces") and hasattr(obj, "ThinSpokes"):
-            self.thin.update(obj)
+        highlighted = obj.Proxy.highlighted
+        if highlighted and name in ("Mesh", highlighted.places, highlighted.spokes) and hasattr(obj, highlighted.last):
+            self.highlight.update(obj, highlighted)
         if name != "Verdict" or not hasattr(obj.ViewObject, "PlainColor"):
             return
         vobj = obj.ViewObject
@@ -56,8 +56,9 @@ class OperationView(Stateless):
         vobj.signalChangeIcon()
 
     def onChanged(self, vobj, name):
-        if name == "ShowThinPlaces":
-            self.thin.show(vobj.ShowThinPlaces)
+        highlighted = getattr(vobj.Object.Proxy, "highlighted", None)  # while a document is read there may be no proxy yet
+        if highlighted and name == highlighted.switch:
+            self.highlight.show(getattr(vobj, name))
 
     def doubleClicked(self, vobj):
         FreeCADGui.ActiveDocument.setEdit(vobj.Object)

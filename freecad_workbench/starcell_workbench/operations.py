@@ -3,7 +3,8 @@ from .boolean_feature import Cut, Intersection, Union
 from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
 from .remesh_feature import Remesh
+from .repair_feature import Repair
 from .rescue_feature import Rescue
 from .simplify_feature import Simplify
 
-ALL = (Union, Cut, Intersection, Rescue, Offset, Shell, MinkowskiSum, Erode, Opening, Closing, Simplify, Remesh)
+ALL = (Union, Cut, Intersection, Rescue, Offset, Shell, MinkowskiSum, Erode, Opening, Closing, Simplify, Remesh, Repair)

@@ -24,7 +24,7 @@ class OperationTask:
         self.form.addOperands.clicked.connect(self.add_operands)
         self.form.removeOperands.clicked.connect(self.remove_operands)
         self.form.apply.clicked.connect(self.apply)
-        self.form.showThinPlaces.toggled.connect(self.show_thin_places)
+        self.form.showPlaces.toggled.connect(self.show_places)
         # A dragged row is in place only after the drop.
         self.settle = QtCore.QTimer(self.form, singleShot=True, interval=0)
         self.settle.timeout.connect(self.show_roles)
@@ -125,12 +125,19 @@ class OperationTask:
         form.volume.setText("{:.6g} mm³".format(obj.Volume.Value))
         form.seconds.setText("{:.2f}".format(obj.Seconds))
         form.report.setText(obj.Report)
-        form.showThinPlaces.setVisible(bool(getattr(obj, "ThinPlaces", ())))
-        form.showThinPlaces.setChecked(getattr(obj.ViewObject, "ShowThinPlaces", False))
+        self.show_highlighted()
 
-    def show_thin_places(self, wanted):
-        if hasattr(self.obj.ViewObject, "ShowThinPlaces"):
-            self.obj.ViewObject.ShowThinPlaces = wanted
+    def show_highlighted(self):
+        highlighted, box = self.feature.highlighted, self.form.showPlaces
+        box.setVisible(bool(highlighted and getattr(self.obj, highlighted.places)))
+        if highlighted:
+            box.setText(translate("StarCell", highlighted.title))
+            box.setToolTip(translate("App::Property", highlighted.help))
+            box.setChecked(getattr(self.obj.ViewObject, highlighted.switch, False))
+
+    def show_places(self, wanted):
+        if self.feature.highlighted:
+            setattr(self.obj.ViewObject, self.feature.highlighted.switch, wanted)
 
     def show_problem(self, text):
         self.form.problem.setText(text)

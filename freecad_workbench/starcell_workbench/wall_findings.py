@@ -8,11 +8,13 @@ from dataclasses import dataclass, field
 import FreeCAD
 
 from . import lengths
+from .operation_feature import HIDDEN, OUTPUT, READ_ONLY, Highlighted
 from .translation import QT_TRANSLATE_NOOP, translate
 
 MOST_SPOKES = 2000  # kept for the highlight
 MESH_SHARE = 0.05   # of the thickness looked for: what is curved need not be meshed finer
-READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
+HIGHLIGHTED = Highlighted("ThinPlaces", "ShowThinPlaces", QT_TRANSLATE_NOOP("StarCell", "Show thin places"), QT_TRANSLATE_NOOP(
+    "App::Property", "Draws the walls or gaps that are too thin, over everything else"), spokes="ThinSpokes")
 
 PROPERTIES = (
     ("App::PropertyVectorList", "ThinPlaces", READ_ONLY | OUTPUT, QT_TRANSLATE_NOOP(

@@ -67,7 +67,7 @@ class Offset(window.WindowTest):
         part = scw.make_union([ring, shelf])
         thin = scw.make_offset(part, -2)
         self.assertIn("Walls thinner than 4 mm", thin.Report)
-        highlight = thin.ViewObject.Proxy.thin
+        highlight = thin.ViewObject.Proxy.highlight
         self.assertEqual(highlight.spokes.points.point.getNum(), len(thin.ThinSpokes))
         self.assertEqual(highlight.boxes.points.point.getNum(), 24 * (len(thin.ThinPlaces) // 2))
         self.assertTrue(highlight.is_shown())
@@ -75,8 +75,8 @@ class Offset(window.WindowTest):
         FreeCADGui.Selection.clearSelection()
         window.shot("thin-places", self.doc)
         panel = OperationTask(thin)
-        self.assertTrue(panel.form.showThinPlaces.isChecked())
-        panel.form.showThinPlaces.setChecked(False)
+        self.assertTrue(panel.form.showPlaces.isChecked())
+        panel.form.showPlaces.setChecked(False)
         self.assertFalse(highlight.is_shown())
         panel.reject()
         thin.Distance = -0.5

@@ -1,4 +1,4 @@
-"""Draws thin walls and gaps over everything else: red spokes from side to side, and an orange box about each place."""
+"""Draws the places that an operation found over everything else: an orange box about each, and across thin walls red spokes from side to side."""
 from pivy import coin
 
 from .crease_lines import shaded_mode
@@ -8,7 +8,7 @@ SPOKE_COLOR, BOX_COLOR = (0.9, 0.05, 0.05), (1.0, 0.55, 0.0)
 BOX_EDGES = [(corner, corner | 1 << axis) for corner in range(8) for axis in range(3) if not corner >> axis & 1]
 
 
-class ThinHighlight:
+class PlaceHighlight:
     """Lines that hide and show with the object's shaded mode; shown() turns them on or off."""
 
     def __init__(self):
@@ -25,13 +25,14 @@ class ThinHighlight:
         over.addChild(self.boxes.node)
         self.switch.addChild(over)
 
-    def update(self, obj):
-        """Reads the object's places. FreeCAD fills the scene after the proxy's attach, so the lines join it here."""
+    def update(self, obj, highlighted):
+        """Reads the object's places, as `highlighted` (operation_feature.Highlighted) names them. FreeCAD fills the scene after the proxy's attach, so the lines join it here."""
         shaded = shaded_mode(obj.ViewObject)
         if shaded and shaded.findChild(self.switch) < 0:
             shaded.addChild(self.switch)
-        self.spokes.set([tuple(end) for end in obj.ThinSpokes])
-        corners = list(zip(obj.ThinPlaces[::2], obj.ThinPlaces[1::2]))
+        self.spokes.set([tuple(end) for end in getattr(obj, highlighted.spokes)] if highlighted.spokes else [])
+        places = getattr(obj, highlighted.places)
+        corners = list(zip(places[::2], places[1::2]))
         self.boxes.set([tuple((lower, upper)[end >> axis & 1][axis] for axis in range(3))
                         for lower, upper in corners for edge in BOX_EDGES for end in edge])
 
