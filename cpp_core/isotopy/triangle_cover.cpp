@@ -50,7 +50,8 @@ TriangleCover::TriangleCover(const Corners& t, double slack, double give) : orig
   has_plane_ = left > 0.5;
   whole_ *= left * left;
   across_ = u.normalized();
-  up_ = normal.normalized().cross(across_);
+  along_ = normal.normalized();
+  up_ = along_.cross(across_);
   std::array<Flat, 3> corner{flat(t[0]), flat(t[1]), flat(t[2])};
   for (int k = 0; k < 3; ++k) {
     const Flat &p = corner[k], &q = corner[(k + 1) % 3];
@@ -72,43 +73,60 @@ bool TriangleCover::is_whole() const {
   return std::abs(degree) > 0.5 && std::abs(degree - std::round(degree)) < 0.01;
 }
 
+// Heights go along: a point of T is at most as far from s as from what of s is straight over it, and mostly that says enough.
 TriangleCover::Look TriangleCover::add(const Corners& s) {
-  std::array<Flat, 10> polygon, next;
-  std::array<double, 10> depth;
-  for (int k = 0; k < 3; ++k) polygon[k] = flat(s[k]);
-  const std::array<Flat, 3> corner{polygon[0], polygon[1], polygon[2]};
+  struct Point {
+    double x, y, height;
+    std::array<double, 3> depth;   // inside each side
+  };
+  std::array<Point, 3> corner;
+  for (int k = 0; k < 3; ++k) {
+    const Flat p = flat(s[k]);
+    corner[k] = {p.x, p.y, along_.dot(s[k] - origin_), {}};
+    for (int side = 0; side < 3; ++side) corner[k].depth[side] = inside(side, p);
+  }
   Look look;
+  bool within = true;
+  for (int side = 0; side < 3; ++side) {
+    const int out = (corner[0].depth[side] < 0) + (corner[1].depth[side] < 0) + (corner[2].depth[side] < 0);
+    if (out == 3) return look;
+    within = within && out == 0;
+  }
   for (int k = 0; k < 3; ++k) {
     double from = 0, to = 1;
     for (int side = 0; side < 3; ++side) {
-      const double at_p = inside(side, corner[k]), at_q = inside(side, corner[(k + 1) % 3]);
+      const double at_p = corner[k].depth[side], at_q = corner[(k + 1) % 3].depth[side];
       if (at_p < 0 && at_q < 0) to = -1;
       else if (at_p < 0) from = std::max(from, at_p / (at_p - at_q));
       else if (at_q < 0) to = std::min(to, at_p / (at_p - at_q));
     }
     if (from <= to) look.edges |= 1 << k;
   }
+  std::array<Point, 10> one, two;
+  std::array<Point, 10>*polygon = &one, *next = &two;
+  std::copy(corner.begin(), corner.end(), polygon->begin());
   int n = 3;
-  for (int side = 0; side < 3 && n > 0; ++side) {
-    for (int i = 0; i < n; ++i) depth[i] = inside(side, polygon[i]);
+  for (int side = 0; side < 3 && n > 0 && !within; ++side) {
     int m = 0;
     for (int i = 0; i < n; ++i) {
-      const int j = (i + 1) % n;
-      if (depth[i] >= 0) next[m++] = polygon[i];
-      if ((depth[i] >= 0) == (depth[j] >= 0)) continue;
-      const double w = depth[i] / (depth[i] - depth[j]);
-      next[m++] = {polygon[i].x + w * (polygon[j].x - polygon[i].x), polygon[i].y + w * (polygon[j].y - polygon[i].y)};
+      const Point &p = (*polygon)[i], &q = (*polygon)[(i + 1) % n];
+      if (p.depth[side] >= 0) (*next)[m++] = p;
+      if ((p.depth[side] >= 0) == (q.depth[side] >= 0)) continue;
+      const double w = p.depth[side] / (p.depth[side] - q.depth[side]);
+      Point& cut = (*next)[m++];
+      cut = {p.x + w * (q.x - p.x), p.y + w * (q.y - p.y), p.height + w * (q.height - p.height), {}};
+      for (int other = side + 1; other < 3; ++other) cut.depth[other] = inside(other, {cut.x, cut.y});
     }
-    polygon = next;
+    std::swap(polygon, next);
     n = m;
   }
   if (n == 0) return look;
   look.over = true;
   double area = 0;
   for (int i = 0; i < n; ++i) {
-    const Flat &p = polygon[i], &q = polygon[(i + 1) % n];
+    const Point &p = (*polygon)[i], &q = (*polygon)[(i + 1) % n];
     area += p.x * q.y - q.x * p.y;
-    bound_ = std::max(bound_, distance_to_triangle(origin_ + p.x * across_ + p.y * up_, s));
+    if (std::abs(p.height) > bound_) bound_ = std::max(bound_, distance_to_triangle(origin_ + p.x * across_ + p.y * up_, s));
   }
   area_ += 0.5 * area;
   return look;

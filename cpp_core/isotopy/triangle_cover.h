@@ -49,7 +49,7 @@ class TriangleCover {
   Flat flat(const Vec3& p) const;
   double inside(int side, const Flat& p) const { return side_x_[side] * p.x + side_y_[side] * p.y + side_d_[side]; }
 
-  Vec3 origin_, across_, up_;
+  Vec3 origin_, across_, up_, along_;
   std::array<double, 3> side_x_, side_y_, side_d_;   // depth inside each side, less slack
   double slack_, shrunk_ = 0, whole_ = 0, area_ = 0, bound_ = 0;
   bool has_plane_ = false;

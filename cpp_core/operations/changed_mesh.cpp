@@ -58,7 +58,31 @@ void report_shapes(const Result& mesh, const std::string& when, Certificate& c) 
 
 }  // namespace
 
-Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& change) {
+std::vector<Box3> change(Result& result, double open, const char* stage, const Change& how, const std::function<bool(double)>& go_on) {
+  const auto start = std::chrono::steady_clock::now();
+  Certificate& c = result.certificate;
+  Changed changed = how(std::move(result.vertices), std::move(result.triangles), (1 - gap_part) * open, c.error_bound, go_on);
+  c.error_bound += changed.bound;
+  result.vertices = std::move(changed.vertices);
+  result.triangles = std::move(changed.triangles);
+  c.statistics[std::string("seconds.") + stage] = seconds_since(start);
+  const GoOn patient = [&] { return go_on(1), true; };
+  const auto meeting = meeting_pairs(result.vertices, result.triangles, every_rounding, patient);
+  std::vector<MeetingPair> all;
+  for (const auto& pairs : meeting) all.insert(all.end(), pairs.begin(), pairs.end());
+  std::vector<Box3> places;
+  if (all.empty()) return places;
+  const FloatGaps gaps = open_float_gaps(result.vertices, result.triangles, gap_part * open, patient);
+  c.error_bound += gaps.moved;
+  if (gaps.opened) return places;
+  for (const std::uint32_t t : triangles_of(all)) {
+    places.emplace_back();
+    for (const std::uint32_t v : result.triangles[t]) places.back().extend(result.vertices[v]);
+  }
+  return places;
+}
+
+Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& how) {
   const auto start = std::chrono::steady_clock::now();
   const Clock clock(options.budget.max_seconds);
   const double error = options.error.value_or(longest_side(solid.bounding_box()) / 128);
@@ -75,34 +99,14 @@ Result changed_mesh(const Expression& solid, const Options& options, const char*
   const double begun = solid.kind() == Expression::Kind::polyhedron ? 0 : contouring_until;
   double done = 0;
   if (!result.triangles.empty() && c.error_bound < error) {
-    const double open = error - c.error_bound;
-    const auto changing = std::chrono::steady_clock::now();
     const auto go_on = [&](double share) {
       done = std::max(done, share);
       tell(begun + (rounding_from - begun) * done, stage);
       return clock.left() > 0;
     };
-    Changed changed = change(std::move(result.vertices), std::move(result.triangles), (1 - gap_part) * open, c.error_bound, go_on);
-    c.error_bound += changed.bound;
-    result.vertices = std::move(changed.vertices);
-    result.triangles = std::move(changed.triangles);
-    c.statistics[std::string("seconds.") + stage] = seconds_since(changing);
-    const GoOn patient = [&] { return tell(rounding_from, "rounding to float32"), true; };
-    const auto meeting = meeting_pairs(result.vertices, result.triangles, every_rounding, patient);
-    std::vector<MeetingPair> all;
-    for (const auto& pairs : meeting) all.insert(all.end(), pairs.begin(), pairs.end());
-    if (!all.empty()) {
-      const FloatGaps gaps = open_float_gaps(result.vertices, result.triangles, gap_part * open, patient);
-      c.error_bound += gaps.moved;
-      if (!gaps.opened) {
-        c.verdict = Verdict::unresolved;
-        for (const std::uint32_t t : triangles_of(all)) {
-          Box3 box;
-          for (const std::uint32_t v : result.triangles[t]) box.extend(result.vertices[v]);
-          c.unresolved.push_back(box);
-        }
-      }
-    }
+    const std::vector<Box3> meeting = change(result, error - c.error_bound, stage, how, go_on);
+    if (!meeting.empty()) c.verdict = Verdict::unresolved;
+    c.unresolved.insert(c.unresolved.end(), meeting.begin(), meeting.end());
   }
   count_topology(result.vertices, result.triangles, c);
   report_shapes(result, "", c);

@@ -20,6 +20,9 @@ struct Changed {
 /// An isotopy of a closed, embedded mesh, within `most`; the mesh is `off` the solid, at most. Stops where it is once `go_on` (told how much is done, in [0, 1]) says no.
 using Change = std::function<Changed(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double off, const std::function<bool(double)>& go_on)>;
 
+/// Changes a result's mesh within `open`, adds to its bound and opens gaps for float32. The places that meet in float32 nonetheless.
+std::vector<Box3> change(Result& result, double open, const char* stage, const Change& how, const std::function<bool(double)>& go_on);
+
 /// `stage`: what the change is called while it goes on. Throws as evaluate().
 Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& change);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "operations/evaluate_in_few.h"
 #include "repair/winding_solid.h"
 #include "solids/errors.h"
 #include "solids/triangle_hierarchy.h"
@@ -124,7 +125,7 @@ Repaired repair(std::vector<Vec3> vertices, std::vector<Triangle> triangles, con
   std::optional<Expression> sound;
   if (solids) sound = Expression::set_union(*solids);
   const Expression solid = sound ? *sound : Expression(std::make_shared<const WindingSolid>(soup.vertices, soup.triangles));
-  Repaired repaired{evaluate(solid, with_error), std::move(soup.findings), sound};
+  Repaired repaired{evaluate_in_few(solid, with_error), std::move(soup.findings), sound};
   if (repaired.result.triangles.empty() && repaired.result.certificate.unresolved.empty())
     throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
   for (const auto& [what, where] : repaired.findings) repaired.result.certificate.statistics["repair." + what] += 1;

@@ -18,7 +18,7 @@ Tolerances split_error(const Options& options, const Box3& box, double deflectio
   // Rounding of plane equations and of the apexes: far above what double arithmetic can lose on coordinates this large.
   const double rounding = box.isEmpty() ? 0.0 : 4e-12 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   t.inputs += rounding;
-  t.cells = t.error - t.inputs;
+  t.cells = (1 - options.kept) * (t.error - t.inputs);
   if (!(t.cells > 0))
     throw std::invalid_argument("error: " + std::to_string(t.error) + " is not larger than the deflection of a tessellated operand, " +
                                 std::to_string(t.inputs) + "; read that operand with a smaller error");

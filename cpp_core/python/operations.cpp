@@ -9,6 +9,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "interruptible.h"
+#include "operations/evaluate_in_few.h"
 #include "operations/minkowski.h"
 #include "operations/remesh.h"
 #include "operations/repair.h"
@@ -92,10 +93,10 @@ py::object run_operation(Options options, const py::object& progress, const std:
 
 py::object evaluate_expression(const Expression& expression, std::optional<double> error, std::optional<double> contact,
                                const std::string& criterion, int threads, const std::optional<Budget>& budget,
-                               const py::object& progress, const std::string& on_unresolved) {
+                               const py::object& progress, const std::string& on_unresolved, bool decimate) {
   return run_operation(read_options(error, contact, criterion, threads, budget), progress, on_unresolved, [&](const Options& options, ResultRecord& record) {
     record.expression = expression;
-    record.result = evaluate(expression, options);
+    record.result = decimate ? evaluate_in_few(expression, options) : evaluate(expression, options);
   });
 }
 
@@ -132,7 +133,7 @@ constexpr double preparing_share = 0.4;
 // An operation that prepares an expression, evaluated as any other.
 template <class Prepare>
 py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::optional<double> contact, const std::string& criterion,
-                             int threads, const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved) {
+                             int threads, const std::optional<Budget>& budget, const py::object& progress, const std::string& on_unresolved, bool decimate) {
   return run_operation(read_options(error, contact, criterion, threads, budget), progress, on_unresolved, [&](Options options, ResultRecord& record) {
     // What is meshed on the way has the first part of the bar, if anything is.
     const Progress report = options.progress;
@@ -144,7 +145,7 @@ py::object evaluate_prepared(Prepare prepare, std::optional<double> error, std::
     Prepared prepared = prepare(options);
     record.expression = prepared.expression;
     prepared.options.progress = [&](double done, const std::string& stage) { return report(begun + (1 - begun) * done, stage); };
-    record.result = evaluate(prepared.expression, prepared.options);
+    record.result = decimate ? evaluate_in_few(prepared.expression, prepared.options) : evaluate(prepared.expression, prepared.options);
   });
 }
 
@@ -158,12 +159,13 @@ void bind_prepared(py::module_& module, const char* name, const char* first, con
       name,
       [prepare](const Expression& solid, const Second& other, std::optional<double> error, std::optional<double> contact,
                 const std::string& criterion, int threads, const std::optional<Budget>& budget, const py::object& progress,
-                const std::string& on_unresolved) {
+                const std::string& on_unresolved, bool decimate) {
         return evaluate_prepared([&](const Options& options) { return prepare(solid, other, options); }, error, contact, criterion, threads,
-                                 budget, progress, on_unresolved);
+                                 budget, progress, on_unresolved, decimate);
       },
       py::arg(first), py::arg(second), py::arg("error") = py::none(), py::arg("contact") = py::none(), py::arg("criterion") = "trace",
-      py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return", doc);
+      py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      py::arg("decimate") = true, doc);
 }
 
 /// A ball's radius, or any solid.
@@ -253,14 +255,15 @@ void bind_operations(py::module_& module) {
   module.def(
       "evaluate", &evaluate_expression, py::arg("expression"), py::arg("error") = py::none(),
       py::arg("contact") = py::none(), py::arg("criterion") = "trace", py::arg("threads") = 0,
-      py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return", py::arg("decimate") = true,
       "The boundary of a Solid as a Result: mesh and certificate.\n\n"
       "expression: Solid. error: two-sided Hausdorff bound, model units; None: longest side of the bounding box / 128; inf: "
       "topology only. contact: contact tolerance, model units, < error; None: error / 100. criterion: \"trace\" (DESIGN, "
       "section 3) or \"complex-cell\" (T§3.4). threads: 0 for all; the result does not depend on it. budget: Budget. "
       "progress: "
       "callable(fraction in [0, 1], stage: str) -> bool, called on this thread; False cancels, None goes on. on_unresolved: "
-      "\"return\" or \"raise\".\n\n"
+      "\"return\" or \"raise\". decimate: False leaves the mesh as it was contoured: sooner done, in more triangles, within the same "
+      "error; what is exact to rounding is never decimated. statistics[\"triangles.contoured\"] counts what was.\n\n"
       "Raises UnboundedError, CancelledError, UnresolvedError (with .result), ValueError naming the argument, whatever "
       "progress "
       "raises, KeyboardInterrupt. Source: T§3.");
@@ -294,13 +297,13 @@ void bind_operations(py::module_& module) {
       "shell",
       [](const Expression& solid, double thickness, std::optional<double> error, const std::vector<std::int64_t>& open_faces,
          std::optional<double> contact, const std::string& criterion, int threads, const std::optional<Budget>& budget, const py::object& progress,
-         const std::string& on_unresolved) {
+         const std::string& on_unresolved, bool decimate) {
         return evaluate_prepared([&](const Options& options) { return prepare_shell(solid, thickness, options, open_faces); }, error, contact, criterion,
-                                 threads, budget, progress, on_unresolved);
+                                 threads, budget, progress, on_unresolved, decimate);
       },
       py::arg("solid"), py::arg("thickness"), py::arg("error") = py::none(), py::arg("open_faces") = std::vector<std::int64_t>(),
       py::arg("contact") = py::none(), py::arg("criterion") = "trace", py::arg("threads") = 0, py::arg("budget") = py::none(),
-      py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
+      py::arg("progress") = py::none(), py::arg("on_unresolved") = "return", py::arg("decimate") = true,
       "A wall about a Solid's boundary: outside it (thickness > 0, model units) or inside (< 0).\n\nopen_faces: where there shall be no wall, "
       "as numbers of CAD faces (cad_faces), or of triangles if the solid is a Polyhedron that is no import; the wall is then what lies within "
       "its thickness of the other faces. ValueError for numbers that are none of the solid's, if none would stay, and for solids without "
