@@ -7,6 +7,8 @@
 #include <unordered_map>
 
 #include "operations/evaluate_in_few.h"
+#include "operations/operand_mesh.h"
+#include "repair/pulled_apart.h"
 #include "repair/winding_solid.h"
 #include "solids/errors.h"
 #include "solids/triangle_hierarchy.h"
@@ -17,6 +19,7 @@ namespace starcell {
 namespace {
 
 constexpr double widest_hole = 10;   // in errors
+constexpr double gap_share = 0.25;   // of the contact tolerance: how far what touches itself is pulled apart
 // More are not listed: then which of them are depends on the order in which they were found.
 constexpr std::size_t most_crossings = 100000;
 
@@ -105,27 +108,46 @@ std::vector<Box3> crossings(const ClosedSoup& soup) {
   return places;
 }
 
+// All of it cut where it crosses, exactly, and pulled apart where it touches itself; none if that does not survive rounding, or time is out.
+PolyhedronPtr cut_apart(const ClosedSoup& soup, const Options& options) {
+  struct OutOfTime {};
+  const Clock clock(options.budget.max_seconds);
+  const auto pause = [&] {
+    if (options.progress && !options.progress(0, "cutting")) throw CancelledError("The run was cancelled.");
+    if (!(clock.left() > 0)) throw OutOfTime();
+  };
+  try {
+    ExactSurface surface = boundary_of_winding(soup.vertices, soup.triangles, pause);
+    if (surface.triangles.empty()) throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
+    return pulled_apart(std::move(surface), gap_share * options.contact.value_or(*options.error / 100));
+  } catch (const OutOfTime&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 Repaired repair(std::vector<Vec3> vertices, std::vector<Triangle> triangles, const Options& options) {
   Box3 box;
   for (const Vec3& p : vertices)
     if (p.allFinite()) box.extend(p);
+  const Clock clock(options.budget.max_seconds);
   Options with_error = options;
   with_error.error = options.error.value_or(longest_side(box) / 128);
   if (!(*with_error.error > 0)) throw std::invalid_argument("error: must be greater than 0");
   if (options.progress && !options.progress(0, "closing")) throw CancelledError("The run was cancelled.");
   ClosedSoup soup = close(std::move(vertices), std::move(triangles), widest_hole * *with_error.error);
-  const auto solids = sound_solids(soup);
+  auto solids = sound_solids(soup);
   if (solids && solids->empty()) throw InvalidSolidError("The triangles have no inside: no piece of them winds about anything.");
   if (!solids) {
     const std::vector<Box3> places = crossings(soup);
     for (const Box3& place : places) soup.findings.emplace_back("crossing", place);
+    if (const PolyhedronPtr solid = cut_apart(soup, with_error)) solids = {Expression(solid)};
   }
   std::optional<Expression> sound;
   if (solids) sound = Expression::set_union(*solids);
   const Expression solid = sound ? *sound : Expression(std::make_shared<const WindingSolid>(soup.vertices, soup.triangles));
-  Repaired repaired{evaluate_in_few(solid, with_error), std::move(soup.findings), sound};
+  Repaired repaired{evaluate_in_few(solid, clock.rest(with_error)), std::move(soup.findings), sound};
   if (repaired.result.triangles.empty() && repaired.result.certificate.unresolved.empty())
     throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
   for (const auto& [what, where] : repaired.findings) repaired.result.certificate.statistics["repair." + what] += 1;
