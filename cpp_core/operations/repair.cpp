@@ -6,10 +6,14 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "decimation/decimate.h"
+#include "operations/changed_mesh.h"
 #include "operations/evaluate_in_few.h"
 #include "operations/operand_mesh.h"
+#include "repair/flat_points.h"
 #include "repair/pulled_apart.h"
 #include "repair/winding_solid.h"
+#include "solids/connectivity.h"
 #include "solids/errors.h"
 #include "solids/triangle_hierarchy.h"
 #include "solids/triangle_pair.h"
@@ -20,6 +24,9 @@ namespace {
 
 constexpr double widest_hole = 10;   // in errors
 constexpr double gap_share = 0.25;   // of the contact tolerance: how far what touches itself is pulled apart
+// Of the error: what decimation may take, if it has to.
+constexpr double decimation_shares[] = {0, 0.01, 1};
+constexpr std::size_t most_cells = 400000;
 // More are not listed: then which of them are depends on the order in which they were found.
 constexpr std::size_t most_crossings = 100000;
 
@@ -118,11 +125,35 @@ PolyhedronPtr cut_apart(const ClosedSoup& soup, const Options& options) {
   };
   try {
     ExactSurface surface = boundary_of_winding(soup.vertices, soup.triangles, pause);
+    take_out_flat_points(surface, static_cast<std::uint32_t>(soup.vertices.size()), pause);
     if (surface.triangles.empty()) throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
     return pulled_apart(std::move(surface), gap_share * options.contact.value_or(*options.error / 100));
   } catch (const OutOfTime&) {
     return nullptr;
   }
+}
+
+// As it was cut, in the triangles that are left of the input's; decimated if needles of these do not survive float32.
+Result mended(const ClosedSoup& soup, const std::optional<Expression>& sound, const Options& options, const Clock& clock) {
+  std::optional<Result> result;
+  if (const PolyhedronPtr solid = cut_apart(soup, options))
+    for (const double share : decimation_shares) {
+      const Change fewer = [&](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double, const std::function<bool(double)>& go_on) {
+        if (share == 0) return Changed{std::move(vertices), std::move(triangles), 0};
+        Decimated few = decimate(std::move(vertices), std::move(triangles), share * most, go_on);
+        return Changed{std::move(few.vertices), std::move(few.triangles), few.bound};
+      };
+      Result next = changed_mesh(Expression(solid), clock.rest(options), "repairing", fewer);
+      if (!result || next.certificate.unresolved.size() < result->certificate.unresolved.size()) result = std::move(next);
+      if (result->certificate.unresolved.empty()) return *std::move(result);
+    }
+  // What differs by rounding is one for contouring, whereas cuts tell it apart; what could not be cut for another reason seldom ends.
+  Options few_cells = clock.rest(options);
+  if (few_cells.budget.max_cells == 0) few_cells.budget.max_cells = most_cells;
+  const Expression solid = sound ? *sound : Expression(std::make_shared<const WindingSolid>(soup.vertices, soup.triangles));
+  Result contoured = evaluate_in_few(solid, few_cells);
+  if (!result || contoured.certificate.unresolved.empty()) return contoured;
+  return *std::move(result);
 }
 
 }  // namespace
@@ -137,19 +168,20 @@ Repaired repair(std::vector<Vec3> vertices, std::vector<Triangle> triangles, con
   if (!(*with_error.error > 0)) throw std::invalid_argument("error: must be greater than 0");
   if (options.progress && !options.progress(0, "closing")) throw CancelledError("The run was cancelled.");
   ClosedSoup soup = close(std::move(vertices), std::move(triangles), widest_hole * *with_error.error);
-  auto solids = sound_solids(soup);
+  const auto solids = sound_solids(soup);
   if (solids && solids->empty()) throw InvalidSolidError("The triangles have no inside: no piece of them winds about anything.");
-  if (!solids) {
-    const std::vector<Box3> places = crossings(soup);
-    for (const Box3& place : places) soup.findings.emplace_back("crossing", place);
-    if (const PolyhedronPtr solid = cut_apart(soup, with_error)) solids = {Expression(solid)};
-  }
+  if (!solids)
+    for (const Box3& place : crossings(soup)) soup.findings.emplace_back("crossing", place);
   std::optional<Expression> sound;
   if (solids) sound = Expression::set_union(*solids);
-  const Expression solid = sound ? *sound : Expression(std::make_shared<const WindingSolid>(soup.vertices, soup.triangles));
-  Repaired repaired{evaluate_in_few(solid, clock.rest(with_error)), std::move(soup.findings), sound};
-  if (repaired.result.triangles.empty() && repaired.result.certificate.unresolved.empty())
+  Repaired repaired{mended(soup, sound, with_error, clock), std::move(soup.findings), sound};
+  const Certificate& c = repaired.result.certificate;
+  if (repaired.result.triangles.empty() && c.unresolved.empty())
     throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
+  if (repaired.result.triangles.empty() && clock.left() > 0 && options.budget.max_cells == 0 && options.budget.max_bytes == 0)
+    throw InvalidSolidError("The triangles cannot be made a solid: they touch themselves, or nearly so, in " + std::to_string(c.unresolved.size()) +
+                            (c.unresolved.size() == 1 ? " place" : " places") + " that cannot be told apart, as about " + place(c.unresolved.front().center()) +
+                            "; move the parts that touch there off each other, or well into each other.");
   for (const auto& [what, where] : repaired.findings) repaired.result.certificate.statistics["repair." + what] += 1;
   return repaired;
 }

@@ -1,10 +1,12 @@
 #include "repair/pulled_apart.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include <Eigen/Geometry>
 
+#include "numerics/linear_program.h"
 #include "solids/disjoint_sets.h"
 #include "solids/errors.h"
 
@@ -21,8 +23,7 @@ struct Side {
 using Sides = std::map<Edge, std::vector<Side>>;
 
 // Gaps that are tried, in shares of the widest.
-constexpr double gap_shares[] = {1, 0.2, 0.04};
-constexpr int turns = 8;
+constexpr double gap_shares[] = {1, 0.1, 0.01, 1e-3, 1e-4};
 
 Sides sides_of(const std::vector<Triangle>& triangles) {
   Sides sides;
@@ -71,7 +72,7 @@ class Pulling {
     }
   }
 
-  PolyhedronPtr polyhedron(double gap) {
+  PolyhedronPtr polyhedron(double gap, bool all_move) {
     std::map<std::uint32_t, std::uint32_t> number;             // of each cycle of corners
     std::map<std::uint32_t, std::vector<std::uint32_t>> cycles;   // of each point
     std::vector<Vec3> places;
@@ -96,7 +97,17 @@ class Pulling {
       if (copies.size() == 1) continue;
       provenance.moved = gap;
       provenance.contacts.emplace_back(places[copies[0]] - Vec3::Constant(gap), places[copies[0]] + Vec3::Constant(gap));
-      for (const std::uint32_t v : copies) places[v] -= gap * facing_all(normals[v]);
+      // One may stay: that with the least room, as a fin, or a cycle that faces all ways and has none.
+      std::vector<Vec3> inward;
+      std::vector<double> room;
+      for (const std::uint32_t v : copies) {
+        inward.push_back(-widest_direction(normals[v]).value_or(Vec3::Zero()).normalized());
+        room.push_back(-std::numeric_limits<double>::infinity());
+        for (const Vec3& n : normals[v]) room.back() = std::max(room.back(), n.dot(inward.back()));
+      }
+      const auto stays = static_cast<std::size_t>(std::max_element(room.begin(), room.end()) - room.begin());
+      for (std::size_t i = 0; i < copies.size(); ++i)
+        if (all_move || i != stays) places[copies[i]] += gap * inward[i];
     }
     try {
       return Polyhedron::make(std::move(places), std::move(triangles), std::move(provenance));
@@ -135,15 +146,6 @@ class Pulling {
     });
   }
 
-  // A direction that no triangle is turned away from, if there is one.
-  static Vec3 facing_all(const std::vector<Vec3>& normals) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& n : normals) sum += n;
-    for (int step = 0; step < turns && !normals.empty(); ++step)
-      sum = sum.normalized() + 0.25 * *std::min_element(normals.begin(), normals.end(), [&](const Vec3& m, const Vec3& n) { return m.dot(sum) < n.dot(sum); });
-    return sum.norm() > 0 ? Vec3(sum.normalized()) : Vec3(Vec3::Zero());
-  }
-
   const ExactSurface& surface_;
   DisjointSets corners_;
 };
@@ -154,7 +156,8 @@ PolyhedronPtr pulled_apart(ExactSurface surface, double gap) {
   halve_shared_edges(surface);
   Pulling pulling(surface);
   for (const double share : gap_shares)
-    if (PolyhedronPtr solid = pulling.polyhedron(share * gap)) return solid;
+    for (const bool all_move : {false, true})
+      if (PolyhedronPtr solid = pulling.polyhedron(share * gap, all_move)) return solid;
   return nullptr;
 }
 
