@@ -16,19 +16,27 @@ namespace {
 
 // Of the error, what contouring may take, and what opening gaps for float32 may take of the rest.
 constexpr double contour_part = 0.25, gap_part = 0.05;
+// A mesh that is contoured should have this many times fewer triangles.
+constexpr std::size_t pays = 2;
 // Of the progress: contouring's, if there is any, and where rounding to float32 begins.
 constexpr double contouring_until = 0.5, rounding_from = 0.95;
 
+Result contoured(const Expression& solid, double error, const Options& options) {
+  Options inner = options;
+  inner.error = error;
+  inner.kept = 1 - contour_part;
+  if (options.progress) inner.progress = [&](double done, const std::string& stage) { return options.progress(contouring_until * done, stage); };
+  return evaluate(solid, inner);
+}
+
 // A mesh and what is proved of it, before it changes.
-Result mesh_of(const Expression& solid, double error, const Options& options) {
-  if (solid.kind() != Expression::Kind::polyhedron) {
-    Options inner = options;
-    inner.error = contour_part * error;
-    inner.contact.reset();
-    if (options.progress) inner.progress = [&](double done, const std::string& stage) { return options.progress(contouring_until * done, stage); };
-    return evaluate(solid, inner);
-  }
+Result mesh_of(const Expression& solid, double error, const Options& options, std::size_t many) {
+  if (solid.kind() != Expression::Kind::polyhedron) return contoured(solid, error, options);
   const Polyhedron& mesh = *solid.polyhedron();
+  if (mesh.triangles().size() > many && std::isfinite(error)) {
+    Result coarse = contoured(solid, error, options);
+    if (coarse.certificate.verdict == Verdict::exact && pays * coarse.triangles.size() < mesh.triangles().size()) return coarse;
+  }
   const Provenance& from = mesh.provenance();
   Result result{mesh.vertices(), mesh.triangles(), {}};
   Certificate& c = result.certificate;
@@ -48,9 +56,9 @@ Result mesh_of(const Expression& solid, double error, const Options& options) {
 
 double seconds_since(std::chrono::steady_clock::time_point start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
 
-void report_shapes(const Result& mesh, const std::string& when, Certificate& c) {
-  const TriangleShapes shapes = triangle_shapes(mesh.vertices, mesh.triangles);
-  c.statistics["triangles" + when] = static_cast<double>(mesh.triangles.size());
+void report_shapes(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, const std::string& when, Certificate& c) {
+  const TriangleShapes shapes = triangle_shapes(vertices, triangles);
+  c.statistics["triangles" + when] = static_cast<double>(triangles.size());
   c.statistics["aspect_ratio.mean" + when] = shapes.mean_aspect_ratio;
   c.statistics["aspect_ratio.largest" + when] = shapes.largest_aspect_ratio;
   c.statistics["angle.least" + when] = shapes.least_angle * 180 / M_PI;
@@ -82,21 +90,22 @@ std::vector<Box3> change(Result& result, double open, const char* stage, const C
   return places;
 }
 
-Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& how) {
+Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& how, std::size_t many) {
   const auto start = std::chrono::steady_clock::now();
   const Clock clock(options.budget.max_seconds);
-  const double error = options.error.value_or(longest_side(solid.bounding_box()) / 128);
+  const double error = error_for(options, solid.bounding_box());
   if (!(error > 0)) throw std::invalid_argument("error: must be greater than 0");
   const auto tell = [&](double done, const char* stage) {
     if (options.progress && !options.progress(done, stage)) throw CancelledError("The run was cancelled.");
   };
   tell(0, "meshing");
-  Result result = mesh_of(solid, error, options);
+  Result result = mesh_of(solid, error, options, many);
   Certificate& c = result.certificate;
   c.requested_error = error;
   c.contact_tolerance = options.contact.value_or(std::isinf(error) ? longest_side(solid.bounding_box()) / 12800 : error / 100);
-  report_shapes(result, ".before", c);
-  const double begun = solid.kind() == Expression::Kind::polyhedron ? 0 : contouring_until;
+  const bool is_mesh = solid.kind() == Expression::Kind::polyhedron;
+  report_shapes(is_mesh ? solid.polyhedron()->vertices() : result.vertices, is_mesh ? solid.polyhedron()->triangles() : result.triangles, ".before", c);
+  const double begun = c.statistics.count("cells") ? contouring_until : 0;   // was it contoured?
   double done = 0;
   if (!result.triangles.empty() && c.error_bound < error) {
     const auto go_on = [&](double share) {
@@ -109,7 +118,7 @@ Result changed_mesh(const Expression& solid, const Options& options, const char*
     c.unresolved.insert(c.unresolved.end(), meeting.begin(), meeting.end());
   }
   count_topology(result.vertices, result.triangles, c);
-  report_shapes(result, "", c);
+  report_shapes(result.vertices, result.triangles, "", c);
   c.statistics["vertices"] = static_cast<double>(result.vertices.size());
   c.statistics["seconds"] = seconds_since(start);
   tell(1, "done");

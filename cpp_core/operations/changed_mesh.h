@@ -1,6 +1,6 @@
 // What simplify() and remesh() have in common: the solid as a mesh, a change of that mesh with a proven bound, float32, and what is then said of it.
 //
-// A mesh is changed as it is; any other solid is contoured first, within a share of the error.
+// A mesh is changed as it is, if it is not asked that large ones be contoured; any other solid is contoured first, within a share of the error.
 // Guarantees: the certificate's: same topology, embedded, also in float32, and the two-sided distance from the solid is at most error_bound.
 #pragma once
 
@@ -23,7 +23,8 @@ using Change = std::function<Changed(std::vector<Vec3> vertices, std::vector<Tri
 /// Changes a result's mesh within `open`, adds to its bound and opens gaps for float32. The places that meet in float32 nonetheless.
 std::vector<Box3> change(Result& result, double open, const char* stage, const Change& how, const std::function<bool(double)>& go_on);
 
-/// `stage`: what the change is called while it goes on. Throws as evaluate().
-Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& change);
+/// `stage`: what the change is called while it goes on. A mesh of more than `many` triangles is contoured first, too, if far fewer come of it. Throws as
+/// evaluate().
+Result changed_mesh(const Expression& solid, const Options& options, const char* stage, const Change& change, std::size_t many = SIZE_MAX);
 
 }  // namespace starcell

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "operations/operand_mesh.h"
+#include "operations/tolerances.h"
 #include "solids/errors.h"
 
 namespace starcell {
@@ -36,8 +37,6 @@ Options with_error(const Options& options, double error) {
   result.error = error;
   return result;
 }
-
-double error_for(const Options& options, const Box3& box) { return options.error.value_or(longest_side(box) / 128); }
 
 Box3 sum_of(const Box3& a, const Box3& b) { return a.isEmpty() || b.isEmpty() ? Box3() : Box3(a.min() + b.min(), a.max() + b.max()); }
 

@@ -22,7 +22,7 @@ Result remesh(const Expression& solid, std::optional<double> edge_length, double
   if (edge_length && !(*edge_length > 0 && std::isfinite(*edge_length))) throw std::invalid_argument("edge_length: must be greater than 0");
   if (!(feature_angle > 0 && feature_angle < 180)) throw std::invalid_argument("feature_angle: must be between 0 and 180 degrees");
   std::size_t sharp = 0, corners = 0;
-  const double error = options.error.value_or(longest_side(solid.bounding_box()) / 128);
+  const double error = error_for(options, solid.bounding_box());
   const double length = edge_length.value_or(errors_to_an_edge * error);
   Result result = changed_mesh(solid, options, "remeshing", [&](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double off, const std::function<bool(double)>& go_on) {
     // Meshes that were computed may lie on themselves, a rounding apart. Cut in pieces such folds would be many crossings in float32.

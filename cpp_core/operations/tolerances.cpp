@@ -7,10 +7,15 @@
 
 namespace starcell {
 
+double error_for(const Options& options, const Box3& box) {
+  const double length = longest_side(box);
+  return options.error.value_or(length > 0 ? length / 128 : 1);
+}
+
 Tolerances split_error(const Options& options, const Box3& box, double deflection) {
   Tolerances t;
   const double length = longest_side(box);   // 0 where nothing is left
-  t.error = options.error.value_or(length / 128);
+  t.error = error_for(options, box);
   if (!(t.error > 0)) throw std::invalid_argument("error: must be greater than 0");
   t.contact = options.contact.value_or(std::isinf(t.error) ? length / 12800 : t.error / 100);
   if (!(t.contact > 0) || std::isinf(t.contact)) throw std::invalid_argument("contact: must be greater than 0 and finite");

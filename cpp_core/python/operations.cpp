@@ -286,9 +286,10 @@ void bind_operations(py::module_& module) {
       "repair", &repair_soup, py::arg("vertices"), py::arg("triangles"), py::arg("error") = py::none(), py::arg("contact") = py::none(),
       py::arg("threads") = 0, py::arg("budget") = py::none(), py::arg("progress") = py::none(), py::arg("on_unresolved") = "return",
       "The solid that triangles mean: the boundary of {winding number >= 1}.\n\nvertices: (n, 3) floats; triangles: (m, 3) indices, in any state: "
-      "crossing, overlapping, doubled, turned, or with holes up to 10 `error` wide (model units), which are filled. error None: longest side / 128. "
+      "crossing, overlapping, doubled, turned, or with holes up to 10 `error` wide (model units), which are filled. Triangles are cut where they cross, and others stay as they are: "
+      "simplify() makes fewer. error None: longest side / 128. "
       "Result.findings lists what was wrong, and where. Raises InvalidSolidError, with the reason, for what has no inside; else as evaluate(). "
-      "Source: Jacobson et al. 2013.");
+      "Source: Jacobson et al. 2013, Zhou et al. 2016.");
   bind_prepared<double>(module, "offset", "solid", "distance", &prepare_offset,
                 "The rounded offset of a Solid: all points within `distance` of it (> 0, model units), or all its points farther than "
                 "-distance from its boundary (< 0).\n\nOther arguments, and errors raised, as for evaluate(); error None: longest side of the "

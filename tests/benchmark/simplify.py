@@ -1,6 +1,6 @@
 """How few triangles does simplification leave, and how fast: beside CGAL's edge collapse with its polyhedral envelope filter, at the same error, in one
 run. CGAL's envelope bounds one direction only. Meshes from data/meshes and data/thesis where they are there, and two that are made here.
-Arguments: --quick takes the made ones and three files; --patience S ends a peer's run (120); --divisions N ... of the longest side (32 128 512)."""
+Arguments: --quick takes the made ones and three files; --most N leaves larger meshes out (250000: the peer takes hours beyond); --patience S ends a peer's run (120); --divisions N ... of the longest side (32 128 512)."""
 import argparse
 import json
 import os
@@ -14,10 +14,9 @@ from offset import THESIS, program, write_raw
 
 FEW = ("cgal_elephant.off", "cgal_knot1.off", "trimesh_featuretype.ply")
 KINDS = (".off", ".obj", ".stl", ".ply")
-MOST_TRIANGLES = 250000   # the peer takes hours beyond
 
 
-def models(quick):
+def models(quick, most):
     import starcell as sc
     yield "bumpy torus", sc.Polyhedron(*boolean.bumpy_torus(8000, 1))
     yield "bumpy sphere", sc.Polyhedron(*boolean.bumpy_sphere(8000, 1))
@@ -30,13 +29,14 @@ def models(quick):
             except sc.Error as problem:
                 print("%s: left out: %s" % (name, str(problem)[:80]))
                 continue
-            if len(solid.triangles) <= MOST_TRIANGLES:
+            if len(solid.triangles) <= most:
                 yield name, solid
 
 
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("--quick", action="store_true")
+    options.add_argument("--most", type=int, default=250000)
     options.add_argument("--patience", type=float, default=120)
     options.add_argument("--divisions", type=int, nargs="+", default=[32, 128, 512])
     options = options.parse_args()
@@ -45,7 +45,7 @@ def main():
     peer = program("edge_collapse", "-I/usr/include/eigen3", "-lgmp", "-lmpfr", "-ltbb")
     raw = os.path.join(boolean.BUILD, "simplify.raw")
     fewer = faster = both = 0
-    for name, solid in models(options.quick):
+    for name, solid in models(options.quick, options.most):
         write_raw(raw, (np.asarray(solid.vertices), np.asarray(solid.triangles)))
         for division in options.divisions:
             error = max(high - low for low, high in zip(*solid.bounding_box)) / division

@@ -161,5 +161,21 @@ class ResultAndCertificate(unittest.TestCase):
         self.assertTrue(np.isfinite(vertices).all())
 
 
+    def test_nothing_has_any_error(self):
+        apart = sc.Sphere((0, 0, 0), 1) & sc.Sphere((5, 0, 0), 1)
+        for result in (sc.evaluate(apart), sc.simplify(apart)):
+            self.assertEqual((len(result.triangles), result.certificate.verdict), (0, "exact"))
+
+    def test_results_are_decimated_unless_told_not_to(self):
+        less = sc.Sphere((0, 0, 0), 1) - sc.Cylinder((0, 0, -2), (0, 0, 1), 0.4, 4)
+        few, many = sc.evaluate(less, error=0.02), sc.evaluate(less, error=0.02, decimate=False)
+        self.assertLess(len(few.triangles), 0.8 * len(many.triangles))
+        self.assertGreater(few.certificate.statistics["triangles.contoured"], len(few.triangles))
+        for result in (few, many):
+            self.assertEqual((result.certificate.verdict, list(result.certificate.genus)), ("exact", [1]))
+            self.assertLessEqual(result.certificate.error_bound, 0.02)
+        self.assertLess(len(sc.offset(less, 0.1, error=0.05).triangles), len(sc.offset(less, 0.1, error=0.05, decimate=False).triangles))
+
+
 if __name__ == "__main__":
     unittest.main()

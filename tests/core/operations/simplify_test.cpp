@@ -44,6 +44,21 @@ Mesh refined(Mesh mesh, int times) {
   return mesh;
 }
 
+// Scans of more triangles than collapses are worth are contoured first; the bound is of both, and what was before is the scan.
+TEST(Simplify, ContoursHugeMeshesFirst) {
+  const Mesh ring = torus(320, 240);
+  ASSERT_GT(ring.triangles.size(), 150000u);
+  const Result r = simplify(solid(ring), with_error(0.2));
+  EXPECT_GT(r.certificate.statistics.at("cells"), 0);
+  EXPECT_EQ(r.certificate.statistics.at("triangles.before"), 153600);
+  EXPECT_EQ(r.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(topology(r), (Topology{1, {1}}));
+  EXPECT_LE(r.certificate.error_bound, 0.2);
+  EXPECT_LT(r.triangles.size(), 200u);
+  const Mesh coarse = torus(32, 24);   // some of the scan's points: the same circles
+  EXPECT_LE(farthest(coarse.vertices, coarse.triangles, r, 3), r.certificate.error_bound + 0.02);
+}
+
 TEST(Simplify, KeepsTopologyWithinTheError) {
   std::mt19937 random(5);
   for (const double error : {0.2, 0.05, 0.01}) {
