@@ -111,6 +111,7 @@ std::vector<Box3> crossings(const ClosedSoup& soup) {
   std::sort(pairs.begin(), pairs.end());
   const auto box = [&](std::uint32_t t) { return Box3(soup.vertices[triangles[t][0]]).extend(soup.vertices[triangles[t][1]]).extend(soup.vertices[triangles[t][2]]); };
   std::vector<Box3> places;
+  places.reserve(pairs.size());
   for (const auto& [s, t] : pairs) places.push_back(box(s).intersection(box(t)));
   return places;
 }
