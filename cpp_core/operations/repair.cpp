@@ -26,7 +26,7 @@ constexpr double widest_hole = 10;   // in errors
 constexpr double gap_share = 0.25;   // of the contact tolerance: how far what touches itself is pulled apart
 // Of the error: what decimation may take, if it has to.
 constexpr double decimation_shares[] = {0, 0.01, 1};
-constexpr std::size_t most_cells = 400000;
+constexpr std::size_t most_cells = 100000;
 // More are not listed: then which of them are depends on the order in which they were found.
 constexpr std::size_t most_crossings = 100000;
 
