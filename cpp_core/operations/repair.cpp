@@ -10,6 +10,7 @@
 #include "operations/changed_mesh.h"
 #include "operations/evaluate_in_few.h"
 #include "operations/operand_mesh.h"
+#include "operations/tolerances.h"
 #include "repair/flat_points.h"
 #include "repair/pulled_apart.h"
 #include "repair/winding_solid.h"
@@ -128,7 +129,9 @@ PolyhedronPtr cut_apart(const ClosedSoup& soup, const Options& options) {
     ExactSurface surface = boundary_of_winding(soup.vertices, soup.triangles, pause);
     take_out_flat_points(surface, static_cast<std::uint32_t>(soup.vertices.size()), pause);
     if (surface.triangles.empty()) throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
-    return pulled_apart(std::move(surface), gap_share * options.contact.value_or(*options.error / 100));
+    Box3 box;
+    for (const Vec3& p : soup.vertices) box.extend(p);
+    return pulled_apart(std::move(surface), gap_share * split_error(options, box, 0).contact);
   } catch (const OutOfTime&) {
     return nullptr;
   }

@@ -52,6 +52,18 @@ TEST(Repair, CountsDoubledSheetsOnce) {
   EXPECT_GE(flaws_of(r)["crossing"], 12);   // every triangle and its double
 }
 
+// Boxes that share an edge, the second one cut by a third so that no piece is sound: two solids, pulled apart, whatever the error.
+TEST(Repair, PullsApartWhatTouchesInAnEdge) {
+  const Mesh touching = joined({unit, box({1, 1, 0}, {2, 2, 1}), box({1, 1, 0}, {2, 2, 1})});
+  for (const double error : {0.1, std::numeric_limits<double>::infinity()}) {
+    const Repaired r = mended(touching, error);
+    EXPECT_EQ(r.result.certificate.verdict, Verdict::contact);
+    EXPECT_FALSE(r.result.certificate.contacts.empty());
+    EXPECT_LE(r.result.certificate.error_bound, 1e-3);
+    expect_solid(r, 2, {2, {0, 0}}, 1e-2);
+  }
+}
+
 TEST(Repair, TurnsTriangles) {
   Mesh m = unit;
   std::swap(m.triangles[3][1], m.triangles[3][2]);
