@@ -37,8 +37,8 @@ double shape_of(const Corners& t) {
 
 class Decimation {
  public:
-  Decimation(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on)
-      : mesh_(std::move(vertices), std::move(triangles)), most_(most), go_on_(go_on), quadrics_(mesh_.vertices()), version_(mesh_.vertices(), 0) {
+  Decimation(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on, std::size_t most_work = SIZE_MAX)
+      : mesh_(std::move(vertices), std::move(triangles)), most_(most), go_on_(go_on), most_work_(most_work), quadrics_(mesh_.vertices()), version_(mesh_.vertices(), 0) {
     Box3 box;
     for (std::uint32_t v = 0; v < mesh_.vertices(); ++v) box.extend(mesh_.place(v));
     if (!box.isEmpty()) {
@@ -123,6 +123,7 @@ class Decimation {
       }
     }
     for (std::size_t step = 1; !queue_.empty(); ++step) {
+      if (mesh_.work() > most_work_) return false;
       if (step % look_up_every == 0 && go_on_ && !go_on_(1 - static_cast<double>(mesh_.size()) / static_cast<double>(mesh_.slots()))) return false;
       const Candidate c = queue_.top();
       queue_.pop();
@@ -185,6 +186,7 @@ class Decimation {
   double most_, unit_ = 1, thin_ = thin, fold_ = fold;
   bool folds_only_ = false;
   const std::function<bool(double)>& go_on_;
+  std::size_t most_work_;
   std::vector<QuadricError> quadrics_;
   std::vector<std::uint32_t> version_;
   Vec3 origin_ = Vec3::Zero();
@@ -193,8 +195,8 @@ class Decimation {
 
 }  // namespace
 
-Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on) {
-  return Decimation(std::move(vertices), std::move(triangles), most, go_on).run();
+Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on, std::size_t most_work) {
+  return Decimation(std::move(vertices), std::move(triangles), most, go_on, most_work).run();
 }
 
 Decimated unfold(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on) {

@@ -6,6 +6,8 @@
 // Does not guarantee: fewest triangles.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -20,7 +22,9 @@ struct Decimated {
 };
 
 /// Of a closed, embedded manifold. `go_on` is asked now and then, with how much is done, in [0, 1]; once it says no, what has been reached is returned.
-Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on = {});
+/// So it is after `most_work` (IsotopicMesh::work()): the same in every run.
+Decimated decimate(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on = {},
+                   std::size_t most_work = SIZE_MAX);
 
 /// Only what lies on its neighbour goes, as a fold of no thickness; all else stays where it is. Arguments as for decimate().
 Decimated unfold(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, const std::function<bool(double)>& go_on = {});

@@ -168,7 +168,7 @@ std::vector<std::uint32_t> IsotopicMesh::dependents_of(const std::vector<std::ui
 
 // Both ways: every triangle of the fan has the first mesh near it; every triangle of the first mesh that had the disc near it has this one.
 bool IsotopicMesh::stays_near(const std::vector<std::uint32_t>& disc, const std::vector<std::uint32_t>& fan, double most, Proof& proof) {
-  const auto corners_of_first = [&](std::uint32_t t) { return first_corners(t); };
+  const auto corners_of_first = [&](std::uint32_t t) { return ++work_, first_corners(t); };
   const auto across_first = [&](std::uint32_t t, int k) { return across_first_[t][k]; };
   const double give = seam_share * most;
   // What is far off shows in the middle of an edge already: most changes that fail do.
@@ -182,8 +182,8 @@ bool IsotopicMesh::stays_near(const std::vector<std::uint32_t>& disc, const std:
     proof.far.push_back(cover_by_parts(corners(t), proof.dependents, corners_of_first, across_first, most, slack_, give, used, first_seen_, stamp_));
     if (!(proof.far.back() <= most && std::isfinite(proof.far.back()))) return false;
   }
-  const auto corners_of_this = [&](std::uint32_t t) { return corners(t); };
-  const auto across_this = [&](std::uint32_t t, int k) { return across(t, k); };
+  const auto corners_of_this = [&](std::uint32_t t) { return ++work_, corners(t); };
+  const auto across_this = [&](std::uint32_t t, int k) { return work_ += about_[triangles_[t][k]].size() / 8, across(t, k); };   // looks at all about the corner
   for (const std::uint32_t t : proof.dependents) {
     proof.relies_on.emplace_back();
     std::vector<std::uint32_t> near = fan;   // and what else the triangle is near to

@@ -63,6 +63,9 @@ class IsotopicMesh {
   /// Of the Hausdorff distance from the first mesh, both ways.
   double bound() const;
 
+  /// How many triangles proofs looked at, of changes that were made or not: what they cost, the same in every run.
+  std::size_t work() const { return work_; }
+
   /// From now on the first mesh is this one, as it is: bounds begin at 0 again.
   void begin_anew();
 
@@ -101,6 +104,7 @@ class IsotopicMesh {
   std::vector<double> far_, first_far_;                  // bounds of this mesh's triangles' distance from the first, and the other way round
   std::vector<std::uint64_t> seen_, first_seen_;         // when a triangle was last looked at, in questions asked
   std::uint64_t stamp_ = 0;
+  std::size_t work_ = 0;
   double slack_ = 0;
   bool in_float32_;
 };

@@ -16,6 +16,8 @@ namespace {
 constexpr double decimation_part = 0.1;
 // Of the error: what is nearer than this has nothing to give.
 constexpr double near = 1e-3;
+// Proofs of few large triangles look at all that were before, again and again. So many looks to a triangle are a few times what most meshes take.
+constexpr std::size_t most_work = 1000;
 // Of the progress: contouring's.
 constexpr double contouring_until = 0.6;
 
@@ -42,7 +44,8 @@ Result evaluate_in_few(const Expression& expression, const Options& options) {
       return seconds() < options.budget.max_seconds;
     };
     const Change decimation = [](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double, const std::function<bool(double)>& on) {
-      Decimated d = decimate(std::move(vertices), std::move(triangles), most, on);
+      const std::size_t work = most_work * triangles.size();
+      Decimated d = decimate(std::move(vertices), std::move(triangles), most, on, work);
       return Changed{std::move(d.vertices), std::move(d.triangles), d.bound};
     };
     // Sheets that float32 would bring together stay as contouring left them.
