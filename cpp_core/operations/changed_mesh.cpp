@@ -6,6 +6,7 @@
 
 #include "certificate/topology.h"
 #include "contouring/float_gaps.h"
+#include "decimation/decimate.h"
 #include "operations/operand_mesh.h"
 #include "operations/tolerances.h"
 #include "remeshing/triangle_shape.h"
@@ -65,6 +66,15 @@ void report_shapes(const std::vector<Vec3>& vertices, const std::vector<Triangle
 }
 
 }  // namespace
+
+Change decimating(double share, std::size_t looks) {
+  return [=](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double, const std::function<bool(double)>& go_on) {
+    if (share == 0) return Changed{std::move(vertices), std::move(triangles), 0};
+    const std::size_t most_work = looks == 0 ? SIZE_MAX : looks * triangles.size();
+    Decimated few = decimate(std::move(vertices), std::move(triangles), share * most, go_on, most_work);
+    return Changed{std::move(few.vertices), std::move(few.triangles), few.bound};
+  };
+}
 
 std::vector<Box3> change(Result& result, double open, const char* stage, const Change& how, const std::function<bool(double)>& go_on) {
   const auto start = std::chrono::steady_clock::now();

@@ -20,6 +20,9 @@ struct Changed {
 /// An isotopy of a closed, embedded mesh, within `most`; the mesh is `off` the solid, at most. Stops where it is once `go_on` (told how much is done, in [0, 1]) says no.
 using Change = std::function<Changed(std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double off, const std::function<bool(double)>& go_on)>;
 
+/// Decimation within a share of what it may take (none: the mesh as it is), ended after so many looks to a triangle (IsotopicMesh::work(); 0: none).
+Change decimating(double share = 1, std::size_t looks = 0);
+
 /// Changes a result's mesh within `open`, adds to its bound and opens gaps for float32. The places that meet in float32 nonetheless.
 std::vector<Box3> change(Result& result, double open, const char* stage, const Change& how, const std::function<bool(double)>& go_on);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "certificate/topology.h"
-#include "decimation/decimate.h"
 #include "operations/changed_mesh.h"
 #include "solids/errors.h"
 
@@ -17,7 +16,7 @@ constexpr double decimation_part = 0.1;
 // Of the error: what is nearer than this has nothing to give.
 constexpr double near = 1e-3;
 // Proofs of few large triangles look at all that were before, again and again. So many looks to a triangle are a few times what most meshes take.
-constexpr std::size_t most_work = 1000;
+constexpr std::size_t most_looks = 1000;
 // Of the progress: contouring's.
 constexpr double contouring_until = 0.6;
 
@@ -43,13 +42,8 @@ Result evaluate_in_few(const Expression& expression, const Options& options) {
       tell(contouring_until + (1 - contouring_until) * done, "decimating");
       return seconds() < options.budget.max_seconds;
     };
-    const Change decimation = [](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double, const std::function<bool(double)>& on) {
-      const std::size_t work = most_work * triangles.size();
-      Decimated d = decimate(std::move(vertices), std::move(triangles), most, on, work);
-      return Changed{std::move(d.vertices), std::move(d.triangles), d.bound};
-    };
     // Sheets that float32 would bring together stay as contouring left them.
-    if (change(few, std::min(bound, error - bound), "decimating", decimation, go_on).empty()) result = std::move(few);
+    if (change(few, std::min(bound, error - bound), "decimating", decimating(1, most_looks), go_on).empty()) result = std::move(few);
     Certificate& c = result.certificate;
     c.statistics["triangles.contoured"] = c.statistics["triangles"];
     count_topology(result.vertices, result.triangles, c);

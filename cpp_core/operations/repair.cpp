@@ -1,22 +1,20 @@
 #include "operations/repair.h"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
 
-#include "decimation/decimate.h"
 #include "operations/changed_mesh.h"
 #include "operations/evaluate_in_few.h"
 #include "operations/operand_mesh.h"
 #include "operations/tolerances.h"
 #include "repair/flat_points.h"
+#include "repair/meeting_triangles.h"
 #include "repair/pulled_apart.h"
 #include "repair/winding_solid.h"
 #include "solids/connectivity.h"
 #include "solids/errors.h"
-#include "solids/triangle_hierarchy.h"
 #include "solids/triangle_pair.h"
 #include "solids/upward_ray.h"
 
@@ -97,19 +95,7 @@ std::optional<std::vector<Expression>> sound_solids(const ClosedSoup& soup) {
 std::vector<Box3> crossings(const ClosedSoup& soup) {
   std::vector<Triangle> triangles = soup.triangles;
   std::erase_if(triangles, [&](const Triangle& t) { return has_no_area(soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]); });
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  std::mutex guard;
-  TriangleHierarchy(soup.vertices, triangles).overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
-    Triangle a = triangles[s], b = triangles[t];
-    bool meet = meet_outside_shared(soup.vertices, a, b);
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    meet = meet || a == b;
-    const std::lock_guard<std::mutex> lock(guard);
-    if (meet) pairs.emplace_back(s, t);
-    return pairs.size() < most_crossings;
-  });
-  std::sort(pairs.begin(), pairs.end());
+  const auto pairs = meeting_triangles(soup.vertices, triangles, most_crossings);
   const auto box = [&](std::uint32_t t) { return Box3(soup.vertices[triangles[t][0]]).extend(soup.vertices[triangles[t][1]]).extend(soup.vertices[triangles[t][2]]); };
   std::vector<Box3> places;
   places.reserve(pairs.size());
@@ -142,12 +128,7 @@ Result mended(const ClosedSoup& soup, const std::optional<Expression>& sound, co
   std::optional<Result> result;
   if (const PolyhedronPtr solid = cut_apart(soup, options))
     for (const double share : decimation_shares) {
-      const Change fewer = [&](std::vector<Vec3> vertices, std::vector<Triangle> triangles, double most, double, const std::function<bool(double)>& go_on) {
-        if (share == 0) return Changed{std::move(vertices), std::move(triangles), 0};
-        Decimated few = decimate(std::move(vertices), std::move(triangles), share * most, go_on);
-        return Changed{std::move(few.vertices), std::move(few.triangles), few.bound};
-      };
-      Result next = changed_mesh(Expression(solid), clock.rest(options), "repairing", fewer);
+      Result next = changed_mesh(Expression(solid), clock.rest(options), "repairing", decimating(share));
       if (!result || next.certificate.unresolved.size() < result->certificate.unresolved.size()) result = std::move(next);
       if (result->certificate.unresolved.empty()) return *std::move(result);
     }

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <mutex>
 #include <optional>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "repair/meeting_triangles.h"
 #include "solids/disjoint_sets.h"
-#include "solids/triangle_hierarchy.h"
 #include "solids/triangle_pair.h"
 
 namespace starcell {
@@ -92,23 +91,6 @@ class Arrangement {
     if (++steps_ % steps_to_a_pause == 0) pause_();
   }
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting() const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    std::mutex guard;
-    TriangleHierarchy(doubles_, triangles_).overlapping_pairs([&](std::uint32_t s, std::uint32_t t) {
-      Triangle a = triangles_[s], b = triangles_[t];
-      bool meet = meet_outside_shared(doubles_, a, b);
-      std::sort(a.begin(), a.end());
-      std::sort(b.begin(), b.end());
-      if (!meet && a != b) return true;
-      const std::lock_guard<std::mutex> lock(guard);
-      pairs.emplace_back(s, t);
-      return true;
-    });
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-
   std::int64_t number_of(const ExactPoint& p) {
     const auto [at, fresh] = numbers_.emplace(p, static_cast<std::int64_t>(points_.size()));
     if (fresh) points_.push_back(p);
@@ -119,7 +101,7 @@ class Arrangement {
     DisjointSets planes(triangles_.size());   // triangles that overlap on their plane
     std::vector<std::vector<Common>> cuts(triangles_.size());
     std::vector<char> met(triangles_.size(), 0);
-    for (const auto& [s, t] : meeting()) {
+    for (const auto& [s, t] : meeting_triangles(doubles_, triangles_)) {
       step();
       const Common common = common_of(exact(s), exact(t));
       met[s] = met[t] = 1;
