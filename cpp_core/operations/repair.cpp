@@ -117,7 +117,7 @@ PolyhedronPtr cut_apart(const ClosedSoup& soup, const Options& options) {
     if (surface.triangles.empty()) throw InvalidSolidError("The triangles have no inside: they wind about nothing, as a sheet that is folded onto itself.");
     Box3 box;
     for (const Vec3& p : soup.vertices) box.extend(p);
-    return pulled_apart(std::move(surface), gap_share * split_error(options, box, 0).contact);
+    return pulled_apart(std::move(surface), gap_share * split_error(options, box, 0).contact, pause);
   } catch (const OutOfTime&) {
     return nullptr;
   }

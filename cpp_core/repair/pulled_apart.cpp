@@ -1,12 +1,14 @@
 #include "repair/pulled_apart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
 #include <Eigen/Geometry>
 
 #include "numerics/linear_program.h"
+#include "repair/rounding_motion.h"
 #include "solids/disjoint_sets.h"
 #include "solids/errors.h"
 
@@ -63,6 +65,13 @@ void halve_shared_edges(ExactSurface& surface) {
   surface.triangles = std::move(all);
 }
 
+// CGAL's own conversion of what is not evaluated yet is content with five digits.
+double to_last_digit(const ExactKernel::FT& x) {
+  constexpr double share = 1e-15;
+  const auto [low, high] = CGAL::to_interval(x);
+  return high - low <= share * std::abs(low) ? low + 0.5 * (high - low) : CGAL::to_double(x.exact());
+}
+
 class Pulling {
  public:
   explicit Pulling(const ExactSurface& surface) : surface_(surface), corners_(3 * surface.triangles.size()) {
@@ -72,7 +81,7 @@ class Pulling {
     }
   }
 
-  PolyhedronPtr polyhedron(double gap, bool all_move) {
+  PolyhedronPtr polyhedron(double gap, bool all_move, const std::function<void()>& pause) {
     std::map<std::uint32_t, std::uint32_t> number;             // of each cycle of corners
     std::map<std::uint32_t, std::vector<std::uint32_t>> cycles;   // of each point
     std::vector<Vec3> places;
@@ -109,6 +118,12 @@ class Pulling {
       for (std::size_t i = 0; i < copies.size(); ++i)
         if (all_move || i != stays) places[copies[i]] += gap * inward[i];
     }
+    if (provenance.contacts.empty()) {
+      std::vector<Vec3> rounded;
+      rounded.reserve(surface_.points.size());
+      for (std::uint32_t v = 0; v < surface_.points.size(); ++v) rounded.push_back(place(v));
+      provenance.contacts = not_proved_to_keep(surface_, rounded, pause);
+    }
     try {
       return Polyhedron::make(std::move(places), std::move(triangles), std::move(provenance));
     } catch (const InvalidSolidError&) {
@@ -119,7 +134,7 @@ class Pulling {
  private:
   Vec3 place(std::uint32_t v) const {
     const ExactPoint& p = surface_.points[v];
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    return {to_last_digit(p.x()), to_last_digit(p.y()), to_last_digit(p.z())};
   }
 
   void join(const Side& a, const Side& b) {
@@ -152,12 +167,12 @@ class Pulling {
 
 }  // namespace
 
-PolyhedronPtr pulled_apart(ExactSurface surface, double gap) {
+PolyhedronPtr pulled_apart(ExactSurface surface, double gap, const std::function<void()>& pause) {
   halve_shared_edges(surface);
   Pulling pulling(surface);
   for (const double share : gap_shares)
     for (const bool all_move : {false, true})
-      if (PolyhedronPtr solid = pulling.polyhedron(share * gap, all_move)) return solid;
+      if (PolyhedronPtr solid = pulling.polyhedron(share * gap, all_move, pause)) return solid;
   return nullptr;
 }
 

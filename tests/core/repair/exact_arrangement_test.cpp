@@ -113,7 +113,7 @@ TEST(ExactArrangement, PulledApartJoinsInsidesAcrossFacesOnly) {
     const Heap heap = random_heap(random, 2 + k % 5);
     ExactSurface surface = boundary_of_winding(heap.boxes.vertices, heap.boxes.triangles, never);
     take_out_flat_points(surface, static_cast<std::uint32_t>(heap.boxes.vertices.size()), never);
-    const PolyhedronPtr solid = pulled_apart(surface, 1e-3);
+    const PolyhedronPtr solid = pulled_apart(surface, 1e-3, never);
     ASSERT_TRUE(solid) << k;
     touching += !solid->provenance().contacts.empty();
     EXPECT_EQ(solid->provenance().moved > 0, !solid->provenance().contacts.empty());
