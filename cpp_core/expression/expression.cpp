@@ -7,31 +7,36 @@
 namespace starcell {
 
 Expression::Expression(PolyhedronPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::polyhedron, std::move(solid), nullptr, nullptr, nullptr, nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{Kind::polyhedron, std::move(solid), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, {}})) {
   if (!node_->polyhedron) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(const HalfSpace& half_space)
-    : node_(std::make_shared<Node>(Node{Kind::half_space, nullptr, std::make_shared<HalfSpace>(half_space), nullptr, nullptr, nullptr, nullptr, {}})) {}
+    : node_(std::make_shared<Node>(Node{Kind::half_space, nullptr, std::make_shared<HalfSpace>(half_space), nullptr, nullptr, nullptr, nullptr, nullptr, {}})) {}
 
 Expression::Expression(CurvedSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::curved, nullptr, nullptr, std::move(solid), nullptr, nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{Kind::curved, nullptr, nullptr, std::move(solid), nullptr, nullptr, nullptr, nullptr, {}})) {
   if (!node_->curved) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(OffsetSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::offset, nullptr, nullptr, nullptr, std::move(solid), nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{Kind::offset, nullptr, nullptr, nullptr, std::move(solid), nullptr, nullptr, nullptr, {}})) {
   if (!node_->offset) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(SumSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::sum, nullptr, nullptr, nullptr, nullptr, std::move(solid), nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{Kind::sum, nullptr, nullptr, nullptr, nullptr, std::move(solid), nullptr, nullptr, {}})) {
   if (!node_->sum) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(WindingSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::winding, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(solid), {}})) {
+    : node_(std::make_shared<Node>(Node{Kind::winding, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(solid), nullptr, {}})) {
   if (!node_->winding) throw std::invalid_argument("solid: must not be null");
+}
+
+Expression::Expression(SmoothSurfacePtr region)
+    : node_(std::make_shared<Node>(Node{Kind::region, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(region), {}})) {
+  if (!node_->region) throw std::invalid_argument("region: must not be null");
 }
 
 Expression Expression::combine(Kind kind, const std::vector<Expression>& operands) {
@@ -45,7 +50,7 @@ Expression Expression::combine(Kind kind, const std::vector<Expression>& operand
       flat.push_back(operand);
   }
   if (flat.size() == 1) return flat.front();
-  return Expression(std::make_shared<const Node>(Node{kind, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(flat)}));
+  return Expression(std::make_shared<const Node>(Node{kind, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(flat)}));
 }
 
 Expression Expression::set_union(const std::vector<Expression>& operands) { return combine(Kind::set_union, operands); }
@@ -58,7 +63,7 @@ Expression Expression::difference(const Expression& a, const Expression& b) { re
 
 Expression Expression::complement() const {
   if (kind() == Kind::complement) return operands().front();
-  return Expression(std::make_shared<const Node>(Node{Kind::complement, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, {*this}}));
+  return Expression(std::make_shared<const Node>(Node{Kind::complement, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, {*this}}));
 }
 
 Expression Expression::transformed(const Eigen::Matrix4d& map) const {
@@ -69,11 +74,12 @@ Expression Expression::transformed(const Eigen::Matrix4d& map) const {
     case Kind::offset: return Expression(offset()->transformed(map));
     case Kind::sum: return Expression(sum()->transformed(map));
     case Kind::winding: return Expression(winding()->transformed(map));
+    case Kind::region: throw std::invalid_argument("matrix: a region of a configuration space cannot be transformed");
     default: break;
   }
   std::vector<Expression> moved;
   for (const Expression& operand : operands()) moved.push_back(operand.transformed(map));
-  return Expression(std::make_shared<const Node>(Node{kind(), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(moved)}));
+  return Expression(std::make_shared<const Node>(Node{kind(), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(moved)}));
 }
 
 namespace {
@@ -104,7 +110,8 @@ Bound bound_of_set(const Expression& e, bool as_union, bool negated) {
 Bound bound_of(const Expression& e, bool negated) {
   switch (e.kind()) {
     case Expression::Kind::polyhedron: return {!negated, negated ? Box3() : e.polyhedron()->bounding_box()};
-    case Expression::Kind::half_space: return {false, Box3()};
+    case Expression::Kind::half_space:
+    case Expression::Kind::region: return {false, Box3()};
     case Expression::Kind::curved: {
       const auto& box = e.curved()->bounding_box();
       return {!negated && box.has_value(), negated || !box ? Box3() : *box};

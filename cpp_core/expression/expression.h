@@ -21,7 +21,7 @@ namespace starcell {
 
 class Expression {
  public:
-  enum class Kind { polyhedron, half_space, curved, offset, sum, winding, set_union, intersection, complement };
+  enum class Kind { polyhedron, half_space, curved, offset, sum, winding, region, set_union, intersection, complement };
 
   explicit Expression(PolyhedronPtr solid);
   explicit Expression(const HalfSpace& half_space);
@@ -29,6 +29,8 @@ class Expression {
   explicit Expression(OffsetSolidPtr solid);
   explicit Expression(SumSolidPtr solid);
   explicit Expression(WindingSolidPtr solid);
+  /// Where the surface's function is negative, bounded or not; it is not transformed.
+  explicit Expression(SmoothSurfacePtr region);
 
   /// Union and intersection of one or more expressions. Throws std::invalid_argument when empty.
   static Expression set_union(const std::vector<Expression>& operands);
@@ -46,6 +48,7 @@ class Expression {
   const OffsetSolidPtr& offset() const { return node_->offset; }            ///< kind() == offset
   const SumSolidPtr& sum() const { return node_->sum; }                     ///< kind() == sum
   const WindingSolidPtr& winding() const { return node_->winding; }         ///< kind() == winding
+  const SmoothSurfacePtr& region() const { return node_->region; }          ///< kind() == region
   const std::vector<Expression>& operands() const { return node_->operands; }
 
   /// A box that contains the solid. Throws UnboundedError if none can be derived.
@@ -61,6 +64,7 @@ class Expression {
     OffsetSolidPtr offset;
     SumSolidPtr sum;
     WindingSolidPtr winding;
+    SmoothSurfacePtr region;
     std::vector<Expression> operands;
   };
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}

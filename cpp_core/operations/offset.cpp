@@ -46,7 +46,8 @@ class Offsetting {
       case Kind::curved:
       case Kind::offset:
       case Kind::sum:
-      case Kind::winding: break;
+      case Kind::winding:
+      case Kind::region: break;
     }
     return of(Expression(meshed(e)), r);
   }

@@ -38,6 +38,7 @@ class Gatherer {
       case Expression::Kind::offset: offset(e.offset()); return;
       case Expression::Kind::sum: sum(e.sum()); return;
       case Expression::Kind::winding: winding(e.winding()); return;
+      case Expression::Kind::region: region(e.region()); return;
       default: break;
     }
     for (const Expression& operand : e.operands()) visit(operand);
@@ -86,6 +87,12 @@ class Gatherer {
   void offset(const OffsetSolidPtr& solid) {
     const auto [it, fresh] = index_.emplace(solid.get(), static_cast<std::uint32_t>(regions.size()));
     if (fresh) regions.push_back({solid->surface(), {}, solid->bounding_box(), it->second}), sources.push_back(solid->solid());
+    program.push_back({LocalExpression::Op::leaf, first_region + it->second});
+  }
+
+  void region(const SmoothSurfacePtr& surface) {
+    const auto [it, fresh] = index_.emplace(surface.get(), static_cast<std::uint32_t>(regions.size()));
+    if (fresh) regions.push_back({surface, {}, box_, it->second});
     program.push_back({LocalExpression::Op::leaf, first_region + it->second});
   }
 

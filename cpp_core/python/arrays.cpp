@@ -79,6 +79,41 @@ std::vector<Vec3> read_points(const py::handle& object, const char* argument) {
   return points;
 }
 
+std::array<double, 2> read_vector2(const py::handle& object, const char* argument) {
+  const Doubles array = converted<double>(any_array(object, argument), argument);
+  if (array.ndim() != 1 || array.shape(0) != 2) wrong_shape(argument, "(2,)", array);
+  return {array.data()[0], array.data()[1]};
+}
+
+namespace {
+
+std::vector<std::array<double, 2>> read_ring(const py::handle& object, const char* argument) {
+  const Doubles array = converted<double>(any_array(object, argument), argument);
+  if (array.ndim() != 2 || array.shape(1) != 2) wrong_shape(argument, "(n, 2)", array);
+  std::vector<std::array<double, 2>> ring(static_cast<std::size_t>(array.shape(0)));
+  for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = {array.data()[2 * k], array.data()[2 * k + 1]};
+  return ring;
+}
+
+// How deep sequences are nested, along their first items: 2 for a polygon.
+int depth_of(const py::handle& object) {
+  if (py::isinstance<py::array>(object)) return static_cast<int>(py::reinterpret_borrow<py::array>(object).ndim());
+  if (!py::isinstance<py::sequence>(object) || py::isinstance<py::str>(object)) return 0;
+  const auto sequence = py::reinterpret_borrow<py::sequence>(object);
+  return sequence.empty() ? 1 : 1 + depth_of(sequence[0]);
+}
+
+}  // namespace
+
+std::vector<std::vector<std::array<double, 2>>> read_polygons(const py::handle& object, const char* argument) {
+  const int depth = depth_of(object);
+  if (depth == 0) throw py::type_error(std::string(argument) + ": must be a polygon, shape (n, 2), or a sequence of polygons");
+  if (depth == 2) return {read_ring(object, argument)};
+  std::vector<std::vector<std::array<double, 2>>> rings;
+  for (const py::handle item : py::reinterpret_borrow<py::sequence>(object)) rings.push_back(read_ring(item, argument));
+  return rings;
+}
+
 std::vector<Triangle> read_triangles(const py::handle& object, const char* argument, std::size_t vertex_count) {
   const py::array raw = any_array(object, argument);
   if (raw.size() == 0) return {};

@@ -3,6 +3,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <array>
 #include <vector>
 
 #include "numerics/vector.h"
@@ -23,6 +24,12 @@ Eigen::Matrix4d read_matrix4(const py::handle& object, const char* argument);
 
 /// Shape (n, 3), float64. Not finite values pass: the solid's own validation counts and places them.
 std::vector<Vec3> read_points(const py::handle& object, const char* argument);
+
+/// Shape (2,).
+std::array<double, 2> read_vector2(const py::handle& object, const char* argument);
+
+/// One polygon, shape (n, 2), or a sequence of such.
+std::vector<std::vector<std::array<double, 2>>> read_polygons(const py::handle& object, const char* argument);
 
 /// Shape (m, 3), integers in [0, vertex_count), checked as 64-bit numbers before they are narrowed.
 std::vector<Triangle> read_triangles(const py::handle& object, const char* argument, std::size_t vertex_count);

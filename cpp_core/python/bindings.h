@@ -56,6 +56,7 @@ void bind_curved_solids(py::module_& module);
 void bind_expressions(py::class_<Expression>& solid, py::module_& module);
 void bind_certificate(py::module_& module);
 void bind_operations(py::module_& module);
+void bind_configuration_space(py::module_& module);
 void bind_inspection(py::module_& module);
 void bind_penetration_depth(py::module_& module);
 

@@ -8,7 +8,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "interruptible.h"
+#include "run_operation.h"
 #include "operations/evaluate_in_few.h"
 #include "operations/minkowski.h"
 #include "operations/remesh.h"
@@ -43,52 +43,6 @@ Budget make_budget(std::optional<long long> max_depth, std::optional<long long> 
     budget.max_bytes = static_cast<std::size_t>(*max_bytes);
   }
   return budget;
-}
-
-Criterion read_criterion(const std::string& name) {
-  if (name == "trace") return Criterion::trace;
-  if (name == "complex-cell") return Criterion::complex_cell;
-  throw py::value_error("criterion: '" + name + "' is neither 'trace' nor 'complex-cell'");
-}
-
-bool read_raises(const std::string& name) {
-  if (name == "return") return false;
-  if (name == "raise") return true;
-  throw py::value_error("on_unresolved: '" + name + "' is neither 'return' nor 'raise'");
-}
-
-Options read_options(std::optional<double> error, std::optional<double> contact, const std::string& criterion, int threads,
-                     const std::optional<Budget>& budget) {
-  if (error && !(*error > 0)) throw py::value_error("error: must be greater than 0, infinite, or None");
-  if (contact && !(*contact > 0 && std::isfinite(*contact)))
-    throw py::value_error("contact: must be a finite number greater than 0, or None");
-  if (error && contact && !(*contact < *error)) throw py::value_error("contact: must be smaller than error");
-  if (threads < 0) throw py::value_error("threads: must not be negative; 0 takes all");
-  Options options;
-  options.error = error;
-  options.contact = contact;
-  options.criterion = read_criterion(criterion);
-  options.threads = threads;
-  if (budget) options.budget = *budget;
-  return options;
-}
-
-// Runs one operation and hands its record over: `run` takes the options, with a progress that asks Python.
-template <class Run>
-py::object run_operation(Options options, const py::object& progress, const std::string& on_unresolved, const Run& run) {
-  const bool raises = read_raises(on_unresolved);
-  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress: must be callable, or None");
-  const auto record = std::make_shared<ResultRecord>();
-  record->error = options.error;
-  record->contact = options.contact;
-  run_interruptible(progress, [&](const Progress& report) {
-    options.progress = report;
-    run(options, *record);
-  });
-  const Certificate& certificate = record->result.certificate;
-  py::object object = py::cast(record);
-  if (certificate.verdict == Verdict::unresolved && raises) raise_unresolved(object, certificate);
-  return object;
 }
 
 py::object evaluate_expression(const Expression& expression, std::optional<double> error, std::optional<double> contact,

@@ -49,6 +49,7 @@ std::string describe(const Expression& solid) {
     case Expression::Kind::offset: return "offset";
     case Expression::Kind::sum: return "Minkowski sum";
     case Expression::Kind::winding: return "repaired mesh";
+    case Expression::Kind::region: return "region";
     case Expression::Kind::set_union: return "union of " + std::to_string(solid.operands().size());
     case Expression::Kind::intersection: return "intersection of " + std::to_string(solid.operands().size());
     case Expression::Kind::complement: return "complement";

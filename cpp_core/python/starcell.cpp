@@ -1,4 +1,4 @@
-// The Python module `starcell`. A concept a file: exceptions, solids, expressions, certificate, operations, inspection, penetration depth.
+// The Python module `starcell`. A concept a file: exceptions, solids, expressions, certificate, operations, configuration spaces, inspection, penetration depth.
 #include "bindings.h"
 
 PYBIND11_MODULE(starcell, module) {
@@ -13,6 +13,7 @@ PYBIND11_MODULE(starcell, module) {
   bind_solids(module);
   bind_curved_solids(module);
   bind_operations(module);
+  bind_configuration_space(module);
   bind_inspection(module);
   bind_penetration_depth(module);
 }

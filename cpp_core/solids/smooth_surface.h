@@ -99,6 +99,12 @@ class SmoothSurface {
   /// or too many.
   virtual std::vector<std::shared_ptr<const SmoothSurface>> parts() const { return {}; }
   virtual bool least_of_parts() const { return true; }
+  /// Have parts themselves parts, and may two of them be one?
+  virtual bool nested_parts() const { return false; }
+  /// Certainly the same function?
+  virtual bool same_as(const SmoothSurface&) const { return false; }
+  /// Certainly the same function with the other sign?
+  virtual bool opposite_of(const SmoothSurface&) const { return false; }
   /// The planes on which flat pieces of the surface lie, where it has such pieces.
   virtual std::vector<FlatPiece> planes() const { return {}; }
   /// In the box it was restricted to: which of the whole surface's planes it is, if it is one.

@@ -26,42 +26,56 @@ std::size_t Patches::add(std::uint32_t surface) {
   return surfaces_.size() - 1;
 }
 
-std::size_t Patches::add_part(const Region& region, SmoothSurfacePtr form) {
+std::pair<std::size_t, bool> Patches::add_part(const Region& region, SmoothSurfacePtr form) {
+  if (form->nested_parts())
+    for (std::size_t k = 0; k < here_.size(); ++k)
+      if (here_[k]->form && (here_[k]->form->same_as(*form) || here_[k]->form->opposite_of(*form))) return {k, !here_[k]->form->same_as(*form)};
   Surface part = table_->surfaces[region.surface];
   const auto plane = form->plane();
   part.form = std::move(form);
   surfaces_.push_back(region.surface);
   planes_.push_back(plane ? region.first_plane + static_cast<std::uint32_t>(*plane) : UINT32_MAX);
   here_.push_back(std::make_shared<const Surface>(std::move(part)));
-  return surfaces_.size() - 1;
+  return {surfaces_.size() - 1, false};
 }
 
 bool Patches::add_region(const Region& region, const SmoothSurfacePtr& form) {
   if (!form) {
-    forms_.push_back({false, {{add(region.surface), region.complement}}});
+    forms_.push_back({false, {{add(region.surface), region.complement}}, {}});
     return surfaces_.size() <= max_patches;
   }
   if (!form->simple()) return false;
+  forms_.push_back(form_of(region, form));
+  return surfaces_.size() <= max_patches;
+}
+
+// F < 0 where any part is, if it is the least of them; where all are, if it is the greatest.
+Patches::Form Patches::form_of(const Region& region, const SmoothSurfacePtr& form) {
+  Form f{form->least_of_parts() != region.complement, {}, {}};
   std::vector<SmoothSurfacePtr> parts = form->parts();
   if (parts.empty()) parts.push_back(form);
-  // F < 0 where any part is, if it is the least of them; where all are, if it is the greatest.
-  Form f{form->least_of_parts() != region.complement, {}};
-  for (SmoothSurfacePtr& part : parts) f.patches.emplace_back(add_part(region, std::move(part)), region.complement);
-  forms_.push_back(std::move(f));
-  return surfaces_.size() <= max_patches;
+  for (SmoothSurfacePtr& part : parts) {
+    if (part != form && part->nested_parts() && !part->parts().empty()) {
+      f.forms.push_back(form_of(region, part));
+      continue;
+    }
+    const auto [patch, turned] = add_part(region, std::move(part));
+    f.patches.emplace_back(patch, region.complement != turned);
+  }
+  return f;
+}
+
+bool Patches::Form::holds(Sides sides) const {
+  const auto on_side = [&](const std::pair<std::size_t, bool>& p) { return ((sides >> p.first & 1) != 0) != p.second; };
+  const auto inner = [&](const Form& f) { return f.holds(sides); };
+  if (any) return std::any_of(patches.begin(), patches.end(), on_side) || std::any_of(forms.begin(), forms.end(), inner);
+  return std::all_of(patches.begin(), patches.end(), on_side) && std::all_of(forms.begin(), forms.end(), inner);
 }
 
 bool Patches::value(Sides sides) const {
   Membership membership = 0;
-  for (std::size_t slot = 0; slot < forms_.size(); ++slot) {
-    const Form& form = forms_[slot];
-    bool inside = !form.any;
-    for (const auto& [patch, positive] : form.patches) {
-      const bool on_side = ((sides >> patch & 1) != 0) != positive;
-      inside = form.any ? inside || on_side : inside && on_side;
-    }
-    if (inside) membership |= Membership{1} << slot;
-  }
+  for (std::size_t slot = 0; slot < forms_.size(); ++slot)
+    if (forms_[slot].holds(sides)) membership |= Membership{1} << slot;
   return expression_->value(membership);
 }
 

@@ -38,16 +38,20 @@ class Patches {
   bool value(Sides sides) const;
 
  private:
-  /// A solid: on the given sides of all (or, `any`, of any) of its patches.
+  /// A solid: on the given sides of all (or, `any`, of any) of its patches, and in all (or any) of what is inside the forms.
   struct Form {
     bool any = false;
     std::vector<std::pair<std::size_t, bool>> patches;   ///< (patch, positive side)
+    std::vector<Form> forms;
+    bool holds(Sides sides) const;
   };
 
   explicit Patches(const FacetTable& table) : table_(&table) {}
   std::size_t add(std::uint32_t surface);
-  std::size_t add_part(const Region& region, SmoothSurfacePtr form);
+  /// The patch, and whether the form is it turned: positive on its negative side.
+  std::pair<std::size_t, bool> add_part(const Region& region, SmoothSurfacePtr form);
   bool add_region(const Region& region, const SmoothSurfacePtr& form);
+  Form form_of(const Region& region, const SmoothSurfacePtr& form);
   bool add_polyhedron(const FacetTable& table, const std::uint32_t* first, const std::uint32_t* last);
 
   const FacetTable* table_;

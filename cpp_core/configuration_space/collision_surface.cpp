@@ -1,0 +1,295 @@
+#include "configuration_space/collision_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace starcell {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// More sides than this are not looked at one by one in a cell: it has to be smaller.
+constexpr std::size_t most_sides = 12;
+// Pieces are looked into once angles vary by less than this, in radians, and places by less than this share of their radii: before, most of their functions may matter.
+constexpr double narrow = 0.8, near = 0.5;
+
+Interval least(const Interval& a, const Interval& b) { return {std::min(a.lower(), b.lower()), std::min(a.upper(), b.upper())}; }
+Interval greatest(const Interval& a, const Interval& b) { return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())}; }
+
+Interval3 hull_of(const Interval3& a, const Interval3& b) {
+  const auto both = [](const Interval& x, const Interval& y) { return Interval(std::min(x.lower(), y.lower()), std::max(x.upper(), y.upper())); };
+  return {both(a.x, b.x), both(a.y, b.y), both(a.z, b.z)};
+}
+
+Interval3 anything() {
+  const Interval all(-infinity, infinity);
+  return {all, all, all};
+}
+
+}  // namespace
+
+struct CollisionSurface::Place {
+  Place(const std::vector<Body>& bodies, const Vec3& shift, const Vec3& center, const Vec3& reach) : reach(reach) {
+    const Interval3 at = enclose(center) - enclose(shift);
+    for (const Body& body : bodies) frames.push_back(body.frame->expand(at, reach));
+  }
+  Vec3 reach;
+  std::vector<FrameFunctions> frames;
+};
+
+CollisionSurface::CollisionSurface(std::vector<Body> bodies) : shift_(Vec3::Zero()) {
+  for (std::uint32_t b = 0; b < bodies.size(); ++b)
+    for (const std::uint32_t i : bodies[b].moving->roots)
+      for (const std::uint32_t j : bodies[b].fixed->roots) entries_.push_back({b, i, j, {{b, i, j, false, {}}}});
+  bodies_ = std::make_shared<const std::vector<Body>>(std::move(bodies));
+  for (const Entry& e : entries_) pairs_.push_back(&e.pairs.front());
+}
+
+CollisionSurface::CollisionSurface(std::shared_ptr<const std::vector<Body>> bodies, const Vec3& shift, std::vector<Entry> entries)
+    : bodies_(std::move(bodies)), shift_(shift), entries_(std::move(entries)) {
+  for (const Entry& e : entries_)
+    for (const Pair& p : e.pairs) pairs_.push_back(&p);
+}
+
+CollisionSurface::CollisionSurface(const CollisionSurface& of, Pair alone) : bodies_(of.bodies_), shift_(of.shift_) {
+  entries_.push_back({alone.body, alone.moving, alone.fixed, {}});
+  entries_[0].pairs.push_back(std::move(alone));
+  pairs_.push_back(&entries_[0].pairs[0]);
+}
+
+// The circles' distance from each other, which that of the pieces is not less than; and that of their centres, which are in the pieces' hulls, which it
+// does not exceed.
+Interval CollisionSurface::circles(const ConvexPiece& m, const ConvexPiece& o, const Place& place, std::uint32_t body) {
+  const FrameFunctions& f = place.frames[body];
+  const auto at = [&](FrameFunctions::Name origin, double along_cosine, double along_sine, double less) {
+    const FrameFunction &t = f.of[origin], &c = f.of[FrameFunctions::cosine], &s = f.of[FrameFunctions::sine];
+    Interval x = t.value + c.value * Interval(along_cosine) + s.value * Interval(along_sine) - Interval(less);
+    for (int axis = 0; axis < 3; ++axis)
+      x += (t.slope[axis] + Interval(along_cosine) * c.slope[axis] + Interval(along_sine) * s.slope[axis]) * Interval(-place.reach[axis], place.reach[axis]);
+    return x;
+  };
+  const Interval dx = at(FrameFunctions::x, m.center[0], -m.center[1], o.center[0]), dy = at(FrameFunctions::y, m.center[1], m.center[0], o.center[1]);
+  const Interval distance = square_root(squared(dx) + squared(dy));
+  const Interval radii = Interval(m.radius) + o.radius;
+  return {(distance - radii).lower(), (distance + radii).upper()};
+}
+
+std::vector<CollisionSurface::Side> CollisionSurface::sides_of(std::uint32_t b, const ConvexPiece& m, const ConvexPiece& o) const {
+  const Body& body = (*bodies_)[b];
+  std::vector<Side> sides;
+  const auto add = [&](Corners corners) {
+    std::vector<std::uint16_t> all(corners.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::uint16_t>(k);
+    sides.push_back({std::make_shared<const Corners>(std::move(corners)), std::move(all)});
+  };
+  for (std::size_t s = 0; s < o.sides.size(); ++s) {
+    Corners corners;
+    for (std::size_t c = 0; c < m.corners.size(); ++c) corners.push_back(moving_corner(b, m, c, *body.fixed, o, s, *body.moving));
+    add(std::move(corners));
+  }
+  for (std::size_t s = 0; s < m.sides.size(); ++s) {
+    Corners corners;
+    for (std::size_t c = 0; c < o.corners.size(); ++c) corners.push_back(moving_side(b, *body.moving, m, s, o, c, *body.fixed));
+    add(std::move(corners));
+  }
+  return sides;
+}
+
+std::optional<std::vector<CollisionSurface::Side>> CollisionSurface::kept_of(const std::vector<Side>& sides, const Place& at, std::uint32_t body) {
+  const FrameFunctions& f = at.frames[body];
+  std::vector<Side> kept;
+  for (const Side& side : sides) {
+    Side part{side.all, {}};
+    bool behind = false;   // throughout: the pieces are not parted by this side
+    for (const std::uint16_t k : side.kept) {
+      const ContactFunction& c = (*side.all)[k];
+      if (!c.applies(f.angle)) continue;
+      const int sign = certain_sign(c.range(f, at.reach));
+      if (sign > 0) continue;
+      part.kept.push_back(k);
+      behind = behind || sign < 0;
+    }
+    if (part.kept.empty()) return std::nullopt;
+    if (!behind) kept.push_back(std::move(part));
+  }
+  return kept;
+}
+
+bool CollisionSurface::apart(const Place& at, std::uint32_t body, const ConvexPiece& moving, const ConvexPiece& fixed) const {
+  return circles(moving, fixed, at, body).lower() > 0 || !kept_of(sides_of(body, moving, fixed), at, body);
+}
+
+void CollisionSurface::resolve(const Place& at, std::uint32_t body, std::uint32_t i, std::uint32_t j, bool look_into, std::vector<Pair>& found) const {
+  const PieceNode &m = (*bodies_)[body].moving->nodes[i], &o = (*bodies_)[body].fixed->nodes[j];
+  const Interval distance = circles(m.hull, o.hull, at, body), angle = at.frames[body].angle;
+  if (distance.lower() > 0) return;
+  const double radii = m.hull.radius + o.hull.radius, varies = distance.upper() - distance.lower() - 2 * radii;
+  if (!look_into || angle.upper() - angle.lower() > narrow || varies > near * radii) {
+    found.push_back({body, i, j, false, {}});
+    return;
+  }
+  auto sides = kept_of(sides_of(body, m.hull, o.hull), at, body);
+  if (!sides) return;
+  const bool moving_is = std::all_of(m.pockets.begin(), m.pockets.end(), [&](const ConvexPiece& pocket) { return apart(at, body, pocket, o.hull); });
+  const bool fixed_is = std::all_of(o.pockets.begin(), o.pockets.end(), [&](const ConvexPiece& pocket) { return apart(at, body, m.hull, pocket); });
+  if (moving_is && fixed_is) {
+    found.push_back({body, i, j, true, std::move(*sides)});
+  } else if (fixed_is || (!moving_is && m.hull.radius >= o.hull.radius)) {
+    for (const std::uint32_t child : m.children) resolve(at, body, child, j, look_into, found);
+  } else {
+    for (const std::uint32_t child : o.children) resolve(at, body, i, child, look_into, found);
+  }
+}
+
+std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at, bool look_into) const {
+  std::vector<Entry> result;
+  for (const Entry& entry : entries_) {
+    Entry next{entry.body, entry.moving, entry.fixed, {}};
+    if (entry.pairs.size() == 1 && entry.pairs[0].known) {
+      if (auto sides = kept_of(entry.pairs[0].sides, at, entry.body)) next.pairs.push_back({entry.body, entry.pairs[0].moving, entry.pairs[0].fixed, true, std::move(*sides)});
+    } else {
+      resolve(at, entry.body, entry.moving, entry.fixed, look_into, next.pairs);
+    }
+    if (next.pairs.empty()) continue;
+    for (const Pair& p : next.pairs)
+      if (p.known && p.sides.empty()) return {{p.body, p.moving, p.fixed, {p}}};
+    if (next.pairs.size() == 1) next.moving = next.pairs[0].moving, next.fixed = next.pairs[0].fixed;
+    result.push_back(std::move(next));
+  }
+  return result;
+}
+
+SmoothSurfacePtr CollisionSurface::restricted(const Box3& box) const {
+  const Rounding rounding;
+  const Place at(*bodies_, shift_, box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(bodies_, shift_, resolved(at, true)));
+}
+
+SmoothSurfacePtr CollisionSurface::translated(const Vec3& by) const {
+  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(bodies_, shift_ + by, entries_));
+}
+
+Expansion CollisionSurface::expand(const Vec3& center, const Vec3& reach) const {
+  const Place at(*bodies_, shift_, center, reach);
+  if (pairs_.size() == 1 && pairs_[0]->sides.size() == 1 && pairs_[0]->sides[0].kept.size() == 1) return expand_pairs(pairs_, at);
+  const std::vector<Entry> here = resolved(at, reach.isZero(0.0));   // of a point all is told
+  std::vector<const Pair*> pairs;
+  for (const Entry& e : here)
+    for (const Pair& p : e.pairs) pairs.push_back(&p);
+  return expand_pairs(pairs, at);
+}
+
+Expansion CollisionSurface::expand_pairs(const std::vector<const Pair*>& pairs, const Place& at) const {
+  Expansion e;
+  e.reach = at.reach;
+  if (pairs.empty() || (pairs[0]->known && pairs[0]->sides.empty())) {   // of one sign throughout: that of a constant
+    e.value = pairs.empty() ? 1 : -1;
+    e.gradient = e.slope = {Interval(0.0), Interval(0.0), Interval(0.0)};
+    e.hessian = {Interval(0.0), Interval(0.0), Interval(0.0), Interval(0.0), Interval(0.0), Interval(0.0)};
+    e.steepest = 0;
+    return e;
+  }
+  for (const Pair* pair : pairs) {
+    Interval apart;
+    if (!pair->known) {
+      apart = circles(moving(*pair).hull, fixed(*pair).hull, at, pair->body);
+      e.slopes.push_back(anything());
+    }
+    for (const Side& side : pair->sides) {
+      Interval nearest;
+      for (const std::uint16_t k : side.kept) {
+        const Expansion one = (*side.all)[k].expand(at.frames[pair->body], at.reach);
+        if (pairs.size() == 1 && pair->sides.size() == 1 && side.kept.size() == 1) return one;
+        nearest = k == side.kept.front() ? one.value : least(nearest, one.value);
+        e.slopes.push_back(one.slope);
+      }
+      apart = &side == &pair->sides.front() ? nearest : greatest(apart, nearest);
+    }
+    e.value = pair == pairs.front() ? apart : least(e.value, apart);
+  }
+  e.smooth = false;
+  e.slope = e.slopes.front();
+  for (const Interval3& s : e.slopes) e.slope = hull_of(e.slope, s);
+  e.gradient = e.slope;
+  e.steepest = 0;
+  for (const Interval3& s : e.slopes) e.steepest = std::max(e.steepest, norm(s).upper());
+  return e;
+}
+
+double CollisionSurface::value(const Vec3& x, Vec3* gradient) const {
+  const Rounding rounding;
+  const Place at(*bodies_, shift_, x, Vec3::Zero());
+  if (gradient) gradient->setZero();
+  double best = infinity;
+  for (const Entry& entry : entries_) {
+    std::vector<Pair> found;
+    if (entry.pairs.size() != 1 || !entry.pairs[0].known) resolve(at, entry.body, entry.moving, entry.fixed, true, found);
+    for (const Pair& pair : entry.pairs.size() == 1 && entry.pairs[0].known ? entry.pairs : found) {
+      double apart = -infinity;
+      Vec3 way = Vec3::Zero();
+      for (const Side& side : pair.sides) {
+        double nearest = infinity;
+        Vec3 g = Vec3::Zero(), one;
+        for (const std::uint16_t k : side.kept)
+          if (const double v = (*side.all)[k].value(at.frames[pair.body], &one); v < nearest) nearest = v, g = one;
+        if (nearest > apart) apart = nearest, way = g;
+      }
+      if (apart >= best) continue;
+      best = apart;
+      if (gradient) *gradient = way;
+    }
+  }
+  return std::isfinite(best) ? best : best > 0 ? 1 : -1;
+}
+
+std::vector<SmoothSurfacePtr> CollisionSurface::parts() const {
+  std::vector<SmoothSurfacePtr> all;
+  const auto part = [&](Pair pair) { all.push_back(std::shared_ptr<const CollisionSurface>(new CollisionSurface(*this, std::move(pair)))); };
+  if (pairs_.size() > 1)
+    for (const Pair* pair : pairs_) part(*pair);
+  else if (pairs_.size() == 1 && pairs_[0]->sides.size() > 1)
+    for (const Side& side : pairs_[0]->sides) {
+      Pair alone = *pairs_[0];
+      alone.sides = {side};
+      part(std::move(alone));
+    }
+  return all;
+}
+
+bool CollisionSurface::compares(const SmoothSurface& other, bool (ContactFunction::*as)(const ContactFunction&) const) const {
+  const auto* o = dynamic_cast<const CollisionSurface*>(&other);
+  if (!o || o->bodies_ != bodies_ || o->shift_ != shift_ || o->pairs_.size() != pairs_.size()) return false;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const Pair &a = *pairs_[p], &b = *o->pairs_[p];
+    if (!a.known || !b.known || a.sides.size() != b.sides.size()) return false;
+    for (std::size_t s = 0; s < a.sides.size(); ++s) {
+      if (a.sides[s].kept.size() != b.sides[s].kept.size()) return false;
+      for (std::size_t k = 0; k < a.sides[s].kept.size(); ++k)
+        if (!((*a.sides[s].all)[a.sides[s].kept[k]].*as)((*b.sides[s].all)[b.sides[s].kept[k]])) return false;
+    }
+  }
+  return true;
+}
+
+bool CollisionSurface::opposite_of(const SmoothSurface& other) const {
+  const bool one = pairs_.size() == 1 && pairs_[0]->sides.size() == 1 && pairs_[0]->sides[0].kept.size() == 1;   // the least of several turned is the greatest of them
+  return one && compares(other, &ContactFunction::opposite);
+}
+
+bool CollisionSurface::simple() const {
+  std::size_t sides = 0;
+  for (const Pair* pair : pairs_) {
+    if (!pair->known) return false;
+    sides += pair->sides.size();
+  }
+  return sides <= most_sides;
+}
+
+std::size_t CollisionSurface::functions() const {
+  std::size_t count = 0;
+  for (const Pair* pair : pairs_)
+    for (const Side& side : pair->sides) count += side.kept.size();
+  return count;
+}
+
+}  // namespace starcell

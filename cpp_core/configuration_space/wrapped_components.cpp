@@ -1,0 +1,127 @@
+#include "configuration_space/wrapped_components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "numerics/predicates.h"
+#include "solids/connectivity.h"
+#include "solids/disjoint_sets.h"
+
+namespace starcell {
+namespace {
+
+// Of the error: room beyond it that a witness has.
+constexpr double more_room = 1.01;
+
+class Wrapping {
+ public:
+  Wrapping(const Result& r, const CollisionSurface* surface, const Box3& domain)
+      : r_(r), surface_(surface), domain_(domain), neighbours_(connect(r.vertices, r.triangles).neighbours), shells_(r.triangles.size()) {
+    for (std::uint32_t t = 0; t < r.triangles.size(); ++t)
+      for (const std::uint32_t n : neighbours_[t])
+        if (n != kNoTriangle) shells_.join(t, n);
+  }
+
+  std::optional<std::size_t> count(int first_angle) {
+    const double room = r_.certificate.error_bound * more_room;
+    if (!std::isfinite(room)) return std::nullopt;
+    std::map<std::uint32_t, double> volumes;
+    for (std::uint32_t t = 0; t < r_.triangles.size(); ++t) {
+      const auto& [a, b, c] = r_.triangles[t];
+      const Vec3 o = domain_.center();
+      volumes[shells_.root(t)] += (r_.vertices[a] - o).dot((r_.vertices[b] - o).cross(r_.vertices[c] - o));
+    }
+    std::vector<std::uint32_t> outer;   // the others bound holes of these
+    for (const auto& [root, volume] : volumes)
+      if (volume > 0) outer.push_back(root);
+    for (int axis = first_angle; axis < 3; ++axis)
+      if (!join(axis, room)) return std::nullopt;
+    std::vector<std::uint32_t> roots;
+    for (const std::uint32_t root : outer) roots.push_back(shells_.root(root));
+    std::sort(roots.begin(), roots.end());
+    return static_cast<std::size_t>(std::unique(roots.begin(), roots.end()) - roots.begin());
+  }
+
+ private:
+  std::vector<std::uint32_t> cap(int axis, double side) const {
+    const double near = 1e-12 * domain_.sizes().maxCoeff();
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t t = 0; t < r_.triangles.size(); ++t)
+      if (std::all_of(r_.triangles[t].begin(), r_.triangles[t].end(), [&](std::uint32_t v) { return std::abs(r_.vertices[v][axis] - side) <= near; })) found.push_back(t);
+    return found;
+  }
+
+  bool join(int axis, double room) {
+    const std::array<std::vector<std::uint32_t>, 2> caps{cap(axis, domain_.min()[axis]), cap(axis, domain_.max()[axis])};
+    for (const std::size_t end : {0, 1}) {
+      DisjointSets parts(r_.triangles.size());
+      std::vector<char> here(r_.triangles.size(), 0);
+      for (const std::uint32_t t : caps[end]) here[t] = 1;
+      for (const std::uint32_t t : caps[end])
+        for (const std::uint32_t n : neighbours_[t])
+          if (n != kNoTriangle && here[n]) parts.join(t, n);
+      std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;
+      for (const std::uint32_t t : caps[end]) triangles[parts.root(t)].push_back(t);
+      for (const auto& [root, part] : triangles)
+        if (!witness(part, caps[1 - end], axis, end, room)) return false;
+    }
+    return true;
+  }
+
+  // Points of the part, its triangles' middles and those of their quarters, the largest triangles' first.
+  bool witness(std::vector<std::uint32_t> part, const std::vector<std::uint32_t>& other, int axis, std::size_t end, double room) {
+    const auto area = [&](std::uint32_t t) {
+      const auto& [a, b, c] = r_.triangles[t];
+      return (r_.vertices[b] - r_.vertices[a]).cross(r_.vertices[c] - r_.vertices[a]).squaredNorm();
+    };
+    std::stable_sort(part.begin(), part.end(), [&](std::uint32_t s, std::uint32_t t) { return area(s) > area(t); });
+    constexpr int most_depth = 4;
+    for (int depth = 0; depth <= most_depth; ++depth)
+      for (const std::uint32_t t : part) {
+        const int n = 1 << depth;
+        const Vec3 &a = r_.vertices[r_.triangles[t][0]], &b = r_.vertices[r_.triangles[t][1]], &c = r_.vertices[r_.triangles[t][2]];
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; i + j < n; ++j) {
+            const Vec3 x = a + ((3 * i + 1) * (b - a) + (3 * j + 1) * (c - a)) / (3.0 * n);
+            if (!has_room(x, axis, end, room)) continue;
+            for (const std::uint32_t s : other)
+              if (is_over(s, x, axis)) {
+                shells_.join(t, s);
+                return true;
+              }
+          }
+      }
+    return false;
+  }
+
+  // Free in a ball about it, as far as that is in the domain, and so at the other end.
+  bool has_room(Vec3 x, int axis, std::size_t end, double room) const {
+    x[axis] = end == 0 ? domain_.min()[axis] : domain_.max()[axis];
+    if (!surface_) return true;
+    const Rounding rounding;
+    return certain_sign(surface_->expand(x, Vec3::Constant(room)).range()) > 0 || certain_sign(surface_->restricted(Box3(x - Vec3::Constant(room), x + Vec3::Constant(room)))->expand(x, Vec3::Constant(room)).range()) > 0;
+  }
+
+  bool is_over(std::uint32_t t, const Vec3& x, int axis) const {
+    const auto& [a, b, c] = r_.triangles[t];
+    const Vec2 p = project(x, axis), pa = project(r_.vertices[a], axis), pb = project(r_.vertices[b], axis), pc = project(r_.vertices[c], axis);
+    const int s = turn(pa, pb, p);
+    return s != 0 && turn(pb, pc, p) == s && turn(pc, pa, p) == s;
+  }
+
+  const Result& r_;
+  const CollisionSurface* surface_;
+  const Box3& domain_;
+  const std::vector<Triangle> neighbours_;
+  DisjointSets shells_;
+};
+
+}  // namespace
+
+std::optional<std::size_t> wrapped_components(const Result& result, const CollisionSurface* surface, const Box3& domain, int first_angle) {
+  if (result.triangles.empty()) return result.certificate.unresolved.empty() ? std::optional<std::size_t>(0) : std::nullopt;
+  return Wrapping(result, surface, domain).count(first_angle);
+}
+
+}  // namespace starcell
