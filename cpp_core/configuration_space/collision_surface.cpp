@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 
 namespace starcell {
 namespace {
@@ -10,8 +12,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // More sides than this are not looked at one by one in a cell: it has to be smaller.
 constexpr std::size_t most_sides = 12;
-// Pieces are looked into once angles vary by less than this, in radians, and places by less than this share of their radii: before, most of their functions may matter.
-constexpr double narrow = 0.8, near = 0.5;
+// Pieces are looked into once angles vary by less than this, in radians, and places by less than this many of their radii: before, most of their functions may matter.
+constexpr double narrow = 0.8, near = 4;
 
 Interval least(const Interval& a, const Interval& b) { return {std::min(a.lower(), b.lower()), std::min(a.upper(), b.upper())}; }
 Interval greatest(const Interval& a, const Interval& b) { return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())}; }
@@ -37,7 +39,30 @@ struct CollisionSurface::Place {
   std::vector<FrameFunctions> frames;
 };
 
-CollisionSurface::CollisionSurface(std::vector<Body> bodies) : shift_(Vec3::Zero()) {
+// References stay, whatever is added.
+class CollisionSurface::Sides {
+ public:
+  template <class Make>
+  const std::vector<Side>& of(const Contenders& c, const Make& make) {
+    Shelf& shelf = shelves_[(c.moving * 31 + c.fixed * 17 + c.moving_pocket + c.fixed_pocket) % shelves_.size()];
+    {
+      const std::lock_guard<std::mutex> lock(shelf.guard);
+      if (const auto at = shelf.sides.find(c); at != shelf.sides.end()) return at->second;
+    }
+    std::vector<Side> made = make(c);
+    const std::lock_guard<std::mutex> lock(shelf.guard);
+    return shelf.sides.try_emplace(c, std::move(made)).first->second;
+  }
+
+ private:
+  struct Shelf {
+    std::mutex guard;
+    std::map<Contenders, std::vector<Side>> sides;
+  };
+  std::array<Shelf, 64> shelves_;
+};
+
+CollisionSurface::CollisionSurface(std::vector<Body> bodies) : sides_(std::make_shared<Sides>()), shift_(Vec3::Zero()) {
   for (std::uint32_t b = 0; b < bodies.size(); ++b)
     for (const std::uint32_t i : bodies[b].moving->roots)
       for (const std::uint32_t j : bodies[b].fixed->roots) entries_.push_back({b, i, j, {{b, i, j, false, {}}}});
@@ -45,13 +70,13 @@ CollisionSurface::CollisionSurface(std::vector<Body> bodies) : shift_(Vec3::Zero
   for (const Entry& e : entries_) pairs_.push_back(&e.pairs.front());
 }
 
-CollisionSurface::CollisionSurface(std::shared_ptr<const std::vector<Body>> bodies, const Vec3& shift, std::vector<Entry> entries)
-    : bodies_(std::move(bodies)), shift_(shift), entries_(std::move(entries)) {
+CollisionSurface::CollisionSurface(const CollisionSurface& of, const Vec3& shift, std::vector<Entry> entries)
+    : bodies_(of.bodies_), sides_(of.sides_), shift_(shift), entries_(std::move(entries)) {
   for (const Entry& e : entries_)
     for (const Pair& p : e.pairs) pairs_.push_back(&p);
 }
 
-CollisionSurface::CollisionSurface(const CollisionSurface& of, Pair alone) : bodies_(of.bodies_), shift_(of.shift_) {
+CollisionSurface::CollisionSurface(const CollisionSurface& of, Pair alone) : bodies_(of.bodies_), sides_(of.sides_), shift_(of.shift_) {
   entries_.push_back({alone.body, alone.moving, alone.fixed, {}});
   entries_[0].pairs.push_back(std::move(alone));
   pairs_.push_back(&entries_[0].pairs[0]);
@@ -74,8 +99,24 @@ Interval CollisionSurface::circles(const ConvexPiece& m, const ConvexPiece& o, c
   return {(distance - radii).lower(), (distance + radii).upper()};
 }
 
-std::vector<CollisionSurface::Side> CollisionSurface::sides_of(std::uint32_t b, const ConvexPiece& m, const ConvexPiece& o) const {
+const ConvexPiece& CollisionSurface::moving(const Contenders& c) const {
+  const PieceNode& node = (*bodies_)[c.body].moving->nodes[c.moving];
+  return c.moving_pocket == Contenders::hull ? node.hull : node.pockets[c.moving_pocket];
+}
+
+const ConvexPiece& CollisionSurface::fixed(const Contenders& c) const {
+  const PieceNode& node = (*bodies_)[c.body].fixed->nodes[c.fixed];
+  return c.fixed_pocket == Contenders::hull ? node.hull : node.pockets[c.fixed_pocket];
+}
+
+const std::vector<CollisionSurface::Side>& CollisionSurface::sides_of(const Contenders& c) const {
+  return sides_->of(c, [this](const Contenders& missing) { return make_sides(missing); });
+}
+
+std::vector<CollisionSurface::Side> CollisionSurface::make_sides(const Contenders& contenders) const {
+  const std::uint32_t b = contenders.body;
   const Body& body = (*bodies_)[b];
+  const ConvexPiece &m = moving(contenders), &o = fixed(contenders);
   std::vector<Side> sides;
   const auto add = [&](Corners corners) {
     std::vector<std::uint16_t> all(corners.size());
@@ -115,40 +156,41 @@ std::optional<std::vector<CollisionSurface::Side>> CollisionSurface::kept_of(con
   return kept;
 }
 
-bool CollisionSurface::apart(const Place& at, std::uint32_t body, const ConvexPiece& moving, const ConvexPiece& fixed) const {
-  return circles(moving, fixed, at, body).lower() > 0 || !kept_of(sides_of(body, moving, fixed), at, body);
+bool CollisionSurface::apart(const Place& at, const Contenders& c) const {
+  return circles(moving(c), fixed(c), at, c.body).lower() > 0 || !kept_of(sides_of(c), at, c.body);
 }
 
-void CollisionSurface::resolve(const Place& at, std::uint32_t body, std::uint32_t i, std::uint32_t j, bool look_into, std::vector<Pair>& found) const {
+void CollisionSurface::resolve(const Place& at, std::uint32_t body, std::uint32_t i, std::uint32_t j, std::vector<Pair>& found) const {
   const PieceNode &m = (*bodies_)[body].moving->nodes[i], &o = (*bodies_)[body].fixed->nodes[j];
   const Interval distance = circles(m.hull, o.hull, at, body), angle = at.frames[body].angle;
   if (distance.lower() > 0) return;
   const double radii = m.hull.radius + o.hull.radius, varies = distance.upper() - distance.lower() - 2 * radii;
-  if (!look_into || angle.upper() - angle.lower() > narrow || varies > near * radii) {
+  if (angle.upper() - angle.lower() > narrow || varies > near * radii) {
     found.push_back({body, i, j, false, {}});
     return;
   }
-  auto sides = kept_of(sides_of(body, m.hull, o.hull), at, body);
+  auto sides = kept_of(sides_of({body, i, j}), at, body);
   if (!sides) return;
-  const bool moving_is = std::all_of(m.pockets.begin(), m.pockets.end(), [&](const ConvexPiece& pocket) { return apart(at, body, pocket, o.hull); });
-  const bool fixed_is = std::all_of(o.pockets.begin(), o.pockets.end(), [&](const ConvexPiece& pocket) { return apart(at, body, m.hull, pocket); });
+  bool moving_is = true, fixed_is = true;
+  for (std::uint32_t k = 0; k < m.pockets.size() && moving_is; ++k) moving_is = apart(at, {body, i, j, k, Contenders::hull});
+  for (std::uint32_t k = 0; k < o.pockets.size() && fixed_is; ++k) fixed_is = apart(at, {body, i, j, Contenders::hull, k});
   if (moving_is && fixed_is) {
     found.push_back({body, i, j, true, std::move(*sides)});
   } else if (fixed_is || (!moving_is && m.hull.radius >= o.hull.radius)) {
-    for (const std::uint32_t child : m.children) resolve(at, body, child, j, look_into, found);
+    for (const std::uint32_t child : m.children) resolve(at, body, child, j, found);
   } else {
-    for (const std::uint32_t child : o.children) resolve(at, body, i, child, look_into, found);
+    for (const std::uint32_t child : o.children) resolve(at, body, i, child, found);
   }
 }
 
-std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at, bool look_into) const {
+std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at) const {
   std::vector<Entry> result;
   for (const Entry& entry : entries_) {
     Entry next{entry.body, entry.moving, entry.fixed, {}};
     if (entry.pairs.size() == 1 && entry.pairs[0].known) {
       if (auto sides = kept_of(entry.pairs[0].sides, at, entry.body)) next.pairs.push_back({entry.body, entry.pairs[0].moving, entry.pairs[0].fixed, true, std::move(*sides)});
     } else {
-      resolve(at, entry.body, entry.moving, entry.fixed, look_into, next.pairs);
+      resolve(at, entry.body, entry.moving, entry.fixed, next.pairs);
     }
     if (next.pairs.empty()) continue;
     for (const Pair& p : next.pairs)
@@ -162,17 +204,17 @@ std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at,
 SmoothSurfacePtr CollisionSurface::restricted(const Box3& box) const {
   const Rounding rounding;
   const Place at(*bodies_, shift_, box.center(), 0.5 * box.sizes() * (1 + 1e-15));
-  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(bodies_, shift_, resolved(at, true)));
+  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(*this, shift_, resolved(at)));
 }
 
 SmoothSurfacePtr CollisionSurface::translated(const Vec3& by) const {
-  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(bodies_, shift_ + by, entries_));
+  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(*this, shift_ + by, entries_));
 }
 
 Expansion CollisionSurface::expand(const Vec3& center, const Vec3& reach) const {
   const Place at(*bodies_, shift_, center, reach);
   if (pairs_.size() == 1 && pairs_[0]->sides.size() == 1 && pairs_[0]->sides[0].kept.size() == 1) return expand_pairs(pairs_, at);
-  const std::vector<Entry> here = resolved(at, reach.isZero(0.0));   // of a point all is told
+  const std::vector<Entry> here = resolved(at);
   std::vector<const Pair*> pairs;
   for (const Entry& e : here)
     for (const Pair& p : e.pairs) pairs.push_back(&p);
@@ -221,23 +263,19 @@ double CollisionSurface::value(const Vec3& x, Vec3* gradient) const {
   const Place at(*bodies_, shift_, x, Vec3::Zero());
   if (gradient) gradient->setZero();
   double best = infinity;
-  for (const Entry& entry : entries_) {
-    std::vector<Pair> found;
-    if (entry.pairs.size() != 1 || !entry.pairs[0].known) resolve(at, entry.body, entry.moving, entry.fixed, true, found);
-    for (const Pair& pair : entry.pairs.size() == 1 && entry.pairs[0].known ? entry.pairs : found) {
-      double apart = -infinity;
-      Vec3 way = Vec3::Zero();
-      for (const Side& side : pair.sides) {
-        double nearest = infinity;
-        Vec3 g = Vec3::Zero(), one;
-        for (const std::uint16_t k : side.kept)
-          if (const double v = (*side.all)[k].value(at.frames[pair.body], &one); v < nearest) nearest = v, g = one;
-        if (nearest > apart) apart = nearest, way = g;
-      }
-      if (apart >= best) continue;
-      best = apart;
-      if (gradient) *gradient = way;
+  for (const Pair* pair : pairs_) {
+    double apart = -infinity;
+    Vec3 way = Vec3::Zero();
+    for (const Side& side : pair->known ? pair->sides : sides_of({pair->body, pair->moving, pair->fixed})) {
+      double nearest = infinity;
+      Vec3 g = Vec3::Zero(), one;
+      for (const std::uint16_t k : side.kept)
+        if (const double v = (*side.all)[k].value(at.frames[pair->body], &one); v < nearest) nearest = v, g = one;
+      if (nearest > apart) apart = nearest, way = g;
     }
+    if (apart >= best) continue;
+    best = apart;
+    if (gradient) *gradient = way;
   }
   return std::isfinite(best) ? best : best > 0 ? 1 : -1;
 }

@@ -9,6 +9,7 @@
 // contact function's, so Clarke's gradients. Does not guarantee that values far from F = 0 are distances.
 #pragma once
 
+#include <compare>
 #include <optional>
 
 #include "configuration_space/contact_function.h"
@@ -62,20 +63,32 @@ class CollisionSurface final : public SmoothSurface {
   bool compares(const SmoothSurface& other, bool (ContactFunction::*as)(const ContactFunction&) const) const;
   struct Place;   // a box, and the frames' functions there
 
-  CollisionSurface(std::shared_ptr<const std::vector<Body>> bodies, const Vec3& shift, std::vector<Entry> entries);
+  CollisionSurface(const CollisionSurface& of, const Vec3& shift, std::vector<Entry> entries);
   explicit CollisionSurface(const CollisionSurface& of, Pair alone);
   const PieceNode& moving(const Pair& p) const { return (*bodies_)[p.body].moving->nodes[p.moving]; }
   const PieceNode& fixed(const Pair& p) const { return (*bodies_)[p.body].fixed->nodes[p.fixed]; }
+  /// Of which two pieces: `moving_pocket` and `fixed_pocket`, if not `hull`, of that number.
+  struct Contenders {
+    std::uint32_t body, moving, fixed, moving_pocket = hull, fixed_pocket = hull;
+    static constexpr std::uint32_t hull = UINT32_MAX;
+    auto operator<=>(const Contenders&) const = default;
+  };
+  class Sides;   // of any two pieces, all of them; made when they are asked for first
+  const ConvexPiece& moving(const Contenders& c) const;
+  const ConvexPiece& fixed(const Contenders& c) const;
   static Interval circles(const ConvexPiece& moving, const ConvexPiece& fixed, const Place& at, std::uint32_t body);
-  std::vector<Side> sides_of(std::uint32_t body, const ConvexPiece& moving, const ConvexPiece& fixed) const;
+  const std::vector<Side>& sides_of(const Contenders& c) const;
+  std::vector<Side> make_sides(const Contenders& c) const;
   /// The sides that may part them in the box, each with the corners that may be the nearest; none: they are apart throughout.
   static std::optional<std::vector<Side>> kept_of(const std::vector<Side>& sides, const Place& at, std::uint32_t body);
-  bool apart(const Place& at, std::uint32_t body, const ConvexPiece& moving, const ConvexPiece& fixed) const;
-  void resolve(const Place& at, std::uint32_t body, std::uint32_t moving, std::uint32_t fixed, bool look_into, std::vector<Pair>& found) const;
-  std::vector<Entry> resolved(const Place& at, bool look_into) const;
+  bool apart(const Place& at, const Contenders& c) const;
+  /// The pairs of pieces that two nodes are in the box.
+  void resolve(const Place& at, std::uint32_t body, std::uint32_t moving, std::uint32_t fixed, std::vector<Pair>& found) const;
+  std::vector<Entry> resolved(const Place& at) const;
   Expansion expand_pairs(const std::vector<const Pair*>& pairs, const Place& at) const;
 
   std::shared_ptr<const std::vector<Body>> bodies_;
+  std::shared_ptr<Sides> sides_;
   Vec3 shift_;
   std::vector<Entry> entries_;
   std::vector<const Pair*> pairs_;   ///< of all entries
