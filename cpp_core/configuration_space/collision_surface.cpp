@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -160,7 +161,28 @@ bool CollisionSurface::apart(const Place& at, const Contenders& c) const {
   return circles(moving(c), fixed(c), at, c.body).lower() > 0 || !kept_of(sides_of(c), at, c.body);
 }
 
+bool CollisionSurface::pockets_apart(const Place& at, std::uint32_t body, std::uint32_t i, std::uint32_t j, bool of_moving) const {
+  const std::vector<ConvexPiece>& pockets = (of_moving ? (*bodies_)[body].moving->nodes[i] : (*bodies_)[body].fixed->nodes[j]).pockets;
+  for (std::uint32_t k = 0; k < pockets.size(); ++k)
+    if (!apart(at, of_moving ? Contenders{body, i, j, k, Contenders::hull} : Contenders{body, i, j, Contenders::hull, k})) return false;
+  return true;
+}
+
 void CollisionSurface::resolve(const Place& at, std::uint32_t body, std::uint32_t i, std::uint32_t j, std::vector<Pair>& found) const {
+  std::vector<Pair> leaves;
+  to_leaves(at, body, i, j, leaves);
+  const bool pieces = leaves.size() > 1 || (leaves.size() == 1 && (leaves[0].moving != i || leaves[0].fixed != j));
+  if (pieces && std::all_of(leaves.begin(), leaves.end(), [](const Pair& p) { return p.known; })) {
+    if (pockets_apart(at, body, i, j, true) && pockets_apart(at, body, i, j, false)) {
+      if (auto sides = kept_of(sides_of({body, i, j}), at, body)) found.push_back({body, i, j, true, std::move(*sides)});
+      return;
+    }
+    join_seams(at, body, leaves);
+  }
+  std::move(leaves.begin(), leaves.end(), std::back_inserter(found));
+}
+
+void CollisionSurface::to_leaves(const Place& at, std::uint32_t body, std::uint32_t i, std::uint32_t j, std::vector<Pair>& found) const {
   const PieceNode &m = (*bodies_)[body].moving->nodes[i], &o = (*bodies_)[body].fixed->nodes[j];
   const Interval distance = circles(m.hull, o.hull, at, body), angle = at.frames[body].angle;
   if (distance.lower() > 0) return;
@@ -171,26 +193,50 @@ void CollisionSurface::resolve(const Place& at, std::uint32_t body, std::uint32_
   }
   auto sides = kept_of(sides_of({body, i, j}), at, body);
   if (!sides) return;
-  bool moving_is = true, fixed_is = true;
-  for (std::uint32_t k = 0; k < m.pockets.size() && moving_is; ++k) moving_is = apart(at, {body, i, j, k, Contenders::hull});
-  for (std::uint32_t k = 0; k < o.pockets.size() && fixed_is; ++k) fixed_is = apart(at, {body, i, j, Contenders::hull, k});
-  if (moving_is && fixed_is) {
+  if (m.pockets.empty() && o.pockets.empty()) {
     found.push_back({body, i, j, true, std::move(*sides)});
-  } else if (fixed_is || (!moving_is && m.hull.radius >= o.hull.radius)) {
-    for (const std::uint32_t child : m.children) resolve(at, body, child, j, found);
+  } else if (o.pockets.empty() || (!m.pockets.empty() && m.hull.radius >= o.hull.radius)) {
+    for (const std::uint32_t child : m.children) to_leaves(at, body, child, j, found);
   } else {
-    for (const std::uint32_t child : o.children) resolve(at, body, i, child, found);
+    for (const std::uint32_t child : o.children) to_leaves(at, body, i, child, found);
   }
 }
 
-std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at) const {
+void CollisionSurface::join_seams(const Place& at, std::uint32_t body, std::vector<Pair>& found) const {
+  for (const bool of_moving : {true, false}) {
+    const auto own = [&](Pair& p) -> std::uint32_t& { return of_moving ? p.moving : p.fixed; };
+    const auto others = [&](const Pair& p) { return of_moving ? p.fixed : p.moving; };
+    for (const Seam& seam : (of_moving ? (*bodies_)[body].moving : (*bodies_)[body].fixed)->seams)
+      for (std::size_t a = 0; a < found.size(); ++a) {
+        if (own(found[a]) != seam.first) continue;
+        const auto b = std::find_if(found.begin(), found.end(), [&](Pair& p) { return own(p) == seam.second && others(p) == others(found[a]); });
+        if (b == found.end()) continue;
+        Pair both = found[a];
+        own(both) = seam.both;
+        if (!pockets_apart(at, body, both.moving, both.fixed, of_moving)) continue;
+        auto sides = kept_of(sides_of({body, both.moving, both.fixed}), at, body);
+        if (!sides) continue;   // they are apart after all; the pair of pieces says so in smaller boxes
+        both.sides = std::move(*sides);
+        found[a] = std::move(both);
+        found.erase(b);
+        a = SIZE_MAX;   // once more from the first: what was erased may have been before it
+      }
+  }
+}
+
+std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at, bool anew) const {
   std::vector<Entry> result;
   for (const Entry& entry : entries_) {
     Entry next{entry.body, entry.moving, entry.fixed, {}};
-    if (entry.pairs.size() == 1 && entry.pairs[0].known) {
-      if (auto sides = kept_of(entry.pairs[0].sides, at, entry.body)) next.pairs.push_back({entry.body, entry.pairs[0].moving, entry.pairs[0].fixed, true, std::move(*sides)});
-    } else {
+    if (anew && entry.pairs.size() > 1) {
       resolve(at, entry.body, entry.moving, entry.fixed, next.pairs);
+    } else {
+      for (const Pair& p : entry.pairs) {
+        if (!p.known)
+          resolve(at, p.body, p.moving, p.fixed, next.pairs);
+        else if (auto sides = kept_of(p.sides, at, p.body))
+          next.pairs.push_back({p.body, p.moving, p.fixed, true, std::move(*sides)});
+      }
     }
     if (next.pairs.empty()) continue;
     for (const Pair& p : next.pairs)
@@ -204,7 +250,7 @@ std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at)
 SmoothSurfacePtr CollisionSurface::restricted(const Box3& box) const {
   const Rounding rounding;
   const Place at(*bodies_, shift_, box.center(), 0.5 * box.sizes() * (1 + 1e-15));
-  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(*this, shift_, resolved(at)));
+  return std::shared_ptr<const CollisionSurface>(new CollisionSurface(*this, shift_, resolved(at, true)));
 }
 
 SmoothSurfacePtr CollisionSurface::translated(const Vec3& by) const {
@@ -214,7 +260,7 @@ SmoothSurfacePtr CollisionSurface::translated(const Vec3& by) const {
 Expansion CollisionSurface::expand(const Vec3& center, const Vec3& reach) const {
   const Place at(*bodies_, shift_, center, reach);
   if (pairs_.size() == 1 && pairs_[0]->sides.size() == 1 && pairs_[0]->sides[0].kept.size() == 1) return expand_pairs(pairs_, at);
-  const std::vector<Entry> here = resolved(at);
+  const std::vector<Entry> here = resolved(at, false);
   std::vector<const Pair*> pairs;
   for (const Entry& e : here)
     for (const Pair& p : e.pairs) pairs.push_back(&p);

@@ -84,7 +84,12 @@ class CollisionSurface final : public SmoothSurface {
   bool apart(const Place& at, const Contenders& c) const;
   /// The pairs of pieces that two nodes are in the box.
   void resolve(const Place& at, std::uint32_t body, std::uint32_t moving, std::uint32_t fixed, std::vector<Pair>& found) const;
-  std::vector<Entry> resolved(const Place& at) const;
+  void to_leaves(const Place& at, std::uint32_t body, std::uint32_t moving, std::uint32_t fixed, std::vector<Pair>& found) const;
+  /// Two pieces beside a seam as one, where nothing comes near what their hull has too much.
+  void join_seams(const Place& at, std::uint32_t body, std::vector<Pair>& found) const;
+  bool pockets_apart(const Place& at, std::uint32_t body, std::uint32_t moving, std::uint32_t fixed, bool of_moving) const;
+  /// `anew`: in a cell, which may do with fewer pairs than the one about it; else the pairs that are known serve.
+  std::vector<Entry> resolved(const Place& at, bool anew) const;
   Expansion expand_pairs(const std::vector<const Pair*>& pairs, const Place& at) const;
 
   std::shared_ptr<const std::vector<Body>> bodies_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -21,8 +22,8 @@ using P = K::Point_2;
 
 using Polygon = std::vector<P>;
 
-// How many reflex corners are tried for the most even cut.
-constexpr std::size_t most_tries = 16;
+// How many reflex corners are tried for the shortest cut.
+constexpr std::size_t most_tries = 64;
 
 std::size_t next(const Polygon& p, std::size_t k) { return k + 1 < p.size() ? k + 1 : 0; }
 std::size_t previous(const Polygon& p, std::size_t k) { return k > 0 ? k - 1 : p.size() - 1; }
@@ -41,6 +42,7 @@ struct Cut {
   std::size_t side;    ///< on which it ends
   bool at_corner;      ///< where that side begins
   P place;
+  K::FT length;        ///< squared
 };
 
 // Where the ray from corner k away from `back` meets the polygon first.
@@ -48,7 +50,6 @@ Cut first_hit(const Polygon& p, std::size_t k, const P& back) {
   const P& from = p[k];
   const K::Vector_2 way = from - back;
   std::optional<Cut> best;
-  std::optional<K::FT> least;
   for (std::size_t s = 0; s < p.size(); ++s) {
     const P &a = p[s], &b = p[next(p, s)];
     if (s == k || next(p, s) == k) continue;
@@ -65,7 +66,7 @@ Cut first_hit(const Polygon& p, std::size_t k, const P& back) {
     }
     if (CGAL::sign((place - from) * way) != CGAL::POSITIVE) continue;
     const K::FT length = CGAL::squared_distance(from, place);
-    if (!least || length < *least) least = length, best = Cut{k, s, at_corner, place};
+    if (!best || length < best->length) best = Cut{k, s, at_corner, place, length};
   }
   return *best;   // the polygon is about the corner
 }
@@ -94,7 +95,9 @@ class Decomposition {
     for (const Point2& p : ring) whole.emplace_back(p[0], p[1]);
     merge_flat_sides(whole);
     for (std::size_t k = 0; k < whole.size(); ++k) side(whole[k], whole[next(whole, k)]);   // first, so that lines are known by the polygon's own corners
+    leaves_.clear();
     tree_.roots.push_back(node(std::move(whole)));
+    find_seams();
   }
 
  private:
@@ -106,6 +109,7 @@ class Decomposition {
       if (CGAL::orientation(p[previous(p, k)], p[k], p[next(p, k)]) == CGAL::RIGHT_TURN) reflex.push_back(k);
     if (reflex.empty()) {
       tree_.nodes[at].hull = piece(p);
+      leaves_.emplace_back(at, std::move(p));
       return at;
     }
     find_hull(p, tree_.nodes[at]);
@@ -118,18 +122,14 @@ class Decomposition {
     return at;
   }
 
-  // Rather not one that ends in a corner; of others the most even.
+  // Rather not one that ends in a corner; of others the shortest: what is cut off then is a part that sticks out, a tooth at its root.
   static Cut best_cut(const Polygon& p, const std::vector<std::size_t>& reflex) {
     std::optional<Cut> best;
-    std::size_t evenness = 0;
     const std::size_t step = (reflex.size() + most_tries - 1) / most_tries;
     for (std::size_t r = 0; r < reflex.size(); r += step)
       for (const std::size_t back : {previous(p, reflex[r]), next(p, reflex[r])}) {
         Cut cut = first_hit(p, reflex[r], p[back]);
-        const std::size_t one = (cut.side + p.size() - cut.corner) % p.size(), even = std::min(one, p.size() - one);
-        if (best && (cut.at_corner != best->at_corner ? cut.at_corner : even <= evenness)) continue;
-        evenness = even;
-        best = std::move(cut);
+        if (!best || (cut.at_corner != best->at_corner ? !cut.at_corner : cut.length < best->length)) best = std::move(cut);
       }
     return *best;
   }
@@ -147,6 +147,39 @@ class Decomposition {
       chain.push_back(p[to]);
       CGAL::convex_hull_2(chain.begin(), chain.end(), std::back_inserter(pocket));
       if (pocket.size() > 2) node.pockets.push_back(piece(pocket));
+    }
+  }
+
+  // Two leaves of which one has a side that ends where the other's begins, on one line.
+  void find_seams() {
+    struct End {
+      std::uint32_t corner, line;
+      bool along;
+      auto operator<=>(const End&) const = default;
+    };
+    std::map<End, std::pair<std::size_t, std::size_t>> begins;   // leaf, side
+    for (std::size_t l = 0; l < leaves_.size(); ++l) {
+      const ConvexPiece& hull = tree_.nodes[leaves_[l].first].hull;
+      for (std::size_t k = 0; k < hull.sides.size(); ++k) begins[{hull.corners[k].id, hull.sides[k].line, hull.sides[k].along}] = {l, k};
+    }
+    for (std::size_t l = 0; l < leaves_.size(); ++l) {
+      const ConvexPiece hull = tree_.nodes[leaves_[l].first].hull;   // a copy: nodes are added
+      for (std::size_t k = 0; k < hull.sides.size(); ++k) {
+        const std::size_t end = k + 1 < hull.corners.size() ? k + 1 : 0;
+        const auto other = begins.find({hull.corners[end].id, hull.sides[k].line, hull.sides[k].along});
+        if (other == begins.end()) continue;
+        // Both without the corner where the seam is: the first from there on, up to before it, then the second.
+        const Polygon &p = leaves_[l].second, &q = leaves_[other->second.first].second;
+        Polygon both;
+        for (std::size_t i = next(p, end); i != end; i = next(p, i)) both.push_back(p[i]);
+        for (std::size_t i = next(q, other->second.second); i != other->second.second; i = next(q, i)) both.push_back(q[i]);
+        if (both.front() == both.back()) both.pop_back();
+        const auto at = static_cast<std::uint32_t>(tree_.nodes.size());
+        tree_.seams.push_back({leaves_[l].first, leaves_[other->second.first].first, at});
+        PieceNode node;
+        find_hull(both, node);
+        tree_.nodes.push_back(std::move(node));
+      }
     }
   }
 
@@ -185,6 +218,7 @@ class Decomposition {
   }
 
   PieceTree& tree_;
+  std::vector<std::pair<std::uint32_t, Polygon>> leaves_;   // of the polygon at hand: nodes
   std::map<P, std::uint32_t> corners_;
   std::map<std::tuple<bool, K::FT, K::FT>, std::pair<std::uint32_t, K::Vector_2>> lines_;
 };

@@ -1,7 +1,7 @@
 // A polygon as a tree of convex pieces, each coarser one exact wherever nothing comes near its pockets.
 //
 // At a reflex corner one of its two sides is prolonged until it meets the polygon again, which cuts the polygon in two, and so on until all is convex (the naive
-// decomposition of Chazelle & Dobkin 1985; among several corners the one whose cut is most even). A node of the tree is the convex hull of what was there before the
+// decomposition of Chazelle & Dobkin 1985; among several corners the one whose cut is shortest). A node of the tree is the convex hull of what was there before the
 // cut, with its *pockets*, what the hull has too much. What is apart from all pockets meets the hull exactly where it meets the polygon: so seams between pieces matter
 // only to what reaches into the pocket that made them.
 // Guarantees: exact; corners that are not the polygon's are enclosed; a pocket is in its convex hull, which stands for it. Does not guarantee fewest pieces.
@@ -42,13 +42,19 @@ struct ConvexPiece {
 
 struct PieceNode {
   ConvexPiece hull;
-  std::vector<ConvexPiece> pockets;                 ///< none: it is the piece itself
-  std::array<std::uint32_t, 2> children{};          ///< the two that it was cut into, if it has pockets
+  std::vector<ConvexPiece> pockets;                 ///< none: it is the hull
+  std::array<std::uint32_t, 2> children{};          ///< the two that it was cut into, if it was
+};
+
+/// Where a cut ends in a side: two pieces that have a part of the side each, and the node that stands for both. It has pockets, and no children.
+struct Seam {
+  std::uint32_t first, second, both;
 };
 
 struct PieceTree {
   std::vector<PlaneLine> lines;
   std::vector<PieceNode> nodes;
+  std::vector<Seam> seams;
   std::vector<std::uint32_t> roots;                 ///< one a polygon
 };
 
