@@ -96,9 +96,16 @@ FreeSpace free_space(const ConfigurationProblem& problem, const Options& options
   std::shared_ptr<const CollisionSurface> surface;
   if (!problem.bodies.empty()) surface = std::make_shared<const CollisionSurface>(problem.bodies);
   const Expression free = surface ? Expression::difference(domain, Expression(SmoothSurfacePtr(surface))) : domain;
-  FreeSpace space{decimate ? evaluate_in_few(free, options) : evaluate(free, options), {}, {}};
+  // Components by the mesh as contoured: its points are still on the domain's sides.
+  FreeSpace space;
+  const auto count = [&](const Result& contoured) { space.components = wrapped_components(contoured, surface.get(), problem.domain, problem.first_angle); };
+  if (decimate) {
+    space.result = evaluate_in_few(free, options, count);
+  } else {
+    space.result = evaluate(free, options);
+    count(space.result);
+  }
   for (const Triangle& t : space.result.triangles) space.facet_kind.push_back(kind_of(space.result, t, problem.domain));
-  space.components = wrapped_components(space.result, surface.get(), problem.domain, problem.first_angle);
   Vec3 by = Vec3::Ones();
   for (int axis = problem.first_angle; axis < 3; ++axis) by[axis] = 1 / problem.unit;
   scale_back(space.result, by);

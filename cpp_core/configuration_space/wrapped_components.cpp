@@ -13,6 +13,10 @@ namespace {
 
 // Of the error: room beyond it that a witness has.
 constexpr double more_room = 1.01;
+// Cosine of the angle by which a side's triangles may lean.
+constexpr double facing = 0.9;
+// Of the domain's size: how far a side's points may be off it.
+constexpr double moved_share = 1e-5;
 
 class Wrapping {
  public:
@@ -35,6 +39,7 @@ class Wrapping {
     std::vector<std::uint32_t> outer;   // the others bound holes of these
     for (const auto& [root, volume] : volumes)
       if (volume > 0) outer.push_back(root);
+    if (outer.size() == 1) return 1;
     for (int axis = first_angle; axis < 3; ++axis)
       if (!join(axis, room)) return std::nullopt;
     std::vector<std::uint32_t> roots;
@@ -44,11 +49,16 @@ class Wrapping {
   }
 
  private:
+  // What is on the side, and faces its way: gaps for float32 move points by some of its steps (contouring/float_gaps.h).
   std::vector<std::uint32_t> cap(int axis, double side) const {
-    const double near = 1e-12 * domain_.sizes().maxCoeff();
+    const double near = moved_share * domain_.sizes().maxCoeff();
     std::vector<std::uint32_t> found;
-    for (std::uint32_t t = 0; t < r_.triangles.size(); ++t)
-      if (std::all_of(r_.triangles[t].begin(), r_.triangles[t].end(), [&](std::uint32_t v) { return std::abs(r_.vertices[v][axis] - side) <= near; })) found.push_back(t);
+    for (std::uint32_t t = 0; t < r_.triangles.size(); ++t) {
+      const auto& [a, b, c] = r_.triangles[t];
+      if (!std::all_of(r_.triangles[t].begin(), r_.triangles[t].end(), [&](std::uint32_t v) { return std::abs(r_.vertices[v][axis] - side) <= near; })) continue;
+      const Vec3 normal = (r_.vertices[b] - r_.vertices[a]).cross(r_.vertices[c] - r_.vertices[a]);
+      if (std::abs(normal[axis]) >= facing * normal.norm()) found.push_back(t);
+    }
     return found;
   }
 

@@ -22,10 +22,14 @@ constexpr double contouring_until = 0.6;
 
 }  // namespace
 
-Result evaluate_in_few(const Expression& expression, const Options& options) {
+Result evaluate_in_few(const Expression& expression, const Options& options, const std::function<void(const Result&)>& contoured) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-  if (options.error && std::isinf(*options.error)) return evaluate(expression, options);
+  if (options.error && std::isinf(*options.error)) {
+    Result result = evaluate(expression, options);
+    if (contoured) contoured(result);
+    return result;
+  }
   const auto tell = [&](double done, const char* stage) {
     if (options.progress && !options.progress(done, stage)) throw CancelledError("The run was cancelled.");
   };
@@ -33,6 +37,7 @@ Result evaluate_in_few(const Expression& expression, const Options& options) {
   first.kept = decimation_part;
   if (options.progress) first.progress = [&](double done, const std::string& stage) { return options.progress(contouring_until * done, stage); };
   Result result = evaluate(expression, first);
+  if (contoured) contoured(result);
   const double error = result.certificate.requested_error, bound = result.certificate.error_bound;
   if (result.certificate.verdict != Verdict::unresolved && !result.triangles.empty() && bound > near * error && bound < error) {
     Result few = result;

@@ -5,11 +5,13 @@
 // Guarantees: those of evaluate(): decimation is an isotopy, and its distance is in the bound.
 #pragma once
 
+#include <functional>
+
 #include "operations/boolean.h"
 
 namespace starcell {
 
-/// Throws as evaluate().
-Result evaluate_in_few(const Expression& expression, const Options& options);
+/// Throws as evaluate(). `contoured`, if given, is told the mesh before it is decimated.
+Result evaluate_in_few(const Expression& expression, const Options& options, const std::function<void(const Result&)>& contoured = {});
 
 }  // namespace starcell
