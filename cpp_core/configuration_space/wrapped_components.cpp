@@ -65,14 +65,11 @@ class Wrapping {
   bool join(int axis, double room) {
     const std::array<std::vector<std::uint32_t>, 2> caps{cap(axis, domain_.min()[axis]), cap(axis, domain_.max()[axis])};
     for (const std::size_t end : {0, 1}) {
-      DisjointSets parts(r_.triangles.size());
-      std::vector<char> here(r_.triangles.size(), 0);
-      for (const std::uint32_t t : caps[end]) here[t] = 1;
+      DisjointSets parts(r_.vertices.size());   // joined in points: beside a crease single triangles may lean
       for (const std::uint32_t t : caps[end])
-        for (const std::uint32_t n : neighbours_[t])
-          if (n != kNoTriangle && here[n]) parts.join(t, n);
+        for (const std::uint32_t v : r_.triangles[t]) parts.join(r_.triangles[t][0], v);
       std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;
-      for (const std::uint32_t t : caps[end]) triangles[parts.root(t)].push_back(t);
+      for (const std::uint32_t t : caps[end]) triangles[parts.root(r_.triangles[t][0])].push_back(t);
       for (const auto& [root, part] : triangles)
         if (!witness(part, caps[1 - end], axis, end, room)) return false;
     }
