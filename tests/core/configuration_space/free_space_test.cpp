@@ -1,0 +1,115 @@
+#include "configuration_space/free_space.h"
+
+#include "operations/results.h"
+#include "planar_samples.h"
+
+namespace starcell {
+namespace {
+
+using namespace sample;
+
+Options at(double error) {
+  Options options;
+  options.error = error;
+  return options;
+}
+
+const Ring ell{{0, 0}, {1, 0}, {1, 0.3}, {0.3, 0.3}, {0.3, 1}, {0, 1}};
+
+// Signs of points by CGAL's polygons; signs of boxes by points in them.
+TEST(CollisionSurface, IsNegativeWherePolygonsOverlap) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-1.8, 1.8), turn(-4, 9), share(-1, 1);
+  for (int k = 0; k < 60; ++k) {
+    const Ring robot = random_star(random, 3 + k % 9), obstacle = random_star(random, 3 + k % 7);
+    const ConfigurationProblem problem = planar_robot({robot}, {obstacle, placed(obstacle, 2, 0.5, 1)}, {-3, -3}, {3, 3});
+    const CollisionSurface surface(problem.bodies);
+    const auto sign_at = [&](const Vec3& q) {
+      const Ring body = placed(robot, q.x(), q.y(), q.z() / problem.unit);
+      return overlap(body, obstacle) || overlap(body, placed(obstacle, 2, 0.5, 1)) ? -1 : 1;
+    };
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 q(place(random), place(random), turn(random));
+      const double reach = i % 2 == 0 ? 0 : 0.3 * std::abs(share(random));
+      int sign = 0, of_cell = 0;
+      {
+        const Rounding rounding;
+        sign = certain_sign(surface.expand(q, Vec3::Constant(reach)).range());
+        of_cell = certain_sign(surface.restricted(Box3(q - Vec3::Constant(reach), q + Vec3::Constant(reach)))->expand(q, Vec3::Constant(reach)).range());
+      }
+      if (reach == 0) {
+        EXPECT_EQ(sign, sign_at(q));   // coordinates of placed polygons are rounded, but no sample is so near
+      }
+      for (const int s : {sign, of_cell})
+        for (int j = 0; s != 0 && j < 4; ++j) EXPECT_EQ(s, sign_at(q + reach * Vec3(share(random), share(random), share(random)))) << k;
+    }
+  }
+}
+
+// Poincare's formula: positions in which two convex polygons meet measure 2 pi (A + B) + L M, areas and perimeters.
+TEST(FreeSpace, OfConvexPolygonsHasTheVolumeOfPoincaresFormula) {
+  const Ring robot{{-0.4, -0.3}, {0.5, -0.2}, {0.0, 0.5}}, obstacle = rectangle(-0.5, -0.5, 0.5, 0.5);
+  const FreeSpace space = free_space(planar_robot({robot}, {obstacle}, {-3, -3}, {3, 3}), at(0.02));
+  EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(topology(space.result), (Topology{1, {1}}));
+  EXPECT_EQ(space.components, 1u);
+  EXPECT_EQ(bad_edges(space.result), 0u);
+  const double collides = 2 * M_PI * (area(robot) + area(obstacle)) + perimeter(robot) * perimeter(obstacle);
+  EXPECT_NEAR(volume(space.result), 2 * M_PI * 36 - collides, 0.01 * collides);
+  EXPECT_EQ(space.facet_kind.size(), space.result.triangles.size());
+}
+
+// A closed room: what is inside and what is outside, at any angle of the robot in its own frame.
+TEST(FreeSpace, OfALockedRoomHasTwoComponents) {
+  const std::vector<Ring> room{rectangle(-3, 2, 3, 3), rectangle(-3, -3, 3, -2), rectangle(-3, -3, -2, 3), rectangle(2, -3, 3, 3)};
+  const FreeSpace space = free_space(planar_robot({placed(ell, 0, 0, 0.4)}, room, {-6, -6}, {6, 6}), at(0.4));
+  EXPECT_NE(space.result.certificate.verdict, Verdict::unresolved);
+  EXPECT_EQ(topology(space.result), (Topology{2, {0, 1}}));
+  EXPECT_EQ(space.components, 2u);
+}
+
+// A bar of width 0.5 before a slot of 0.51 and one of 0.49: through, or not.
+TEST(FreeSpace, ASlotIsPassedIfItIsWideEnough) {
+  const Ring bar = rectangle(-0.8, -0.25, 0.8, 0.25);
+  for (const double half : {0.255, 0.245}) {
+    const FreeSpace space = free_space(planar_robot({bar}, {rectangle(-0.5, half, 0.5, 9), rectangle(-0.5, -9, 0.5, -half)}, {-3, -2}, {3, 2}), at(0.3));
+    EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
+    EXPECT_EQ(space.components, half > 0.25 ? 1u : 2u);
+  }
+}
+
+TEST(FreeSpace, WithNothingAroundIsTheDomain) {
+  const FreeSpace space = free_space(planar_robot({ell}, {}, {-1, -1}, {1, 1}), at(0.1));
+  EXPECT_EQ(space.result.triangles.size(), 12u);
+  EXPECT_NEAR(volume(space.result), 8 * M_PI, 1e-9);
+  EXPECT_EQ(space.components, 1u);
+  for (const std::uint8_t kind : space.facet_kind) EXPECT_EQ(kind, 1);
+}
+
+// Two posts in the way of the first link, one on either side: two sectors, which the other joints' turns do not join.
+TEST(FreeSpace, OfAnArmIsCutByWhatItsFirstLinkCannotPass) {
+  const FreeSpace space = free_space(planar_arm({2, 0.3, 0.3}, {0, 0}, false, {rectangle(1, -0.1, 1.5, 0.1), rectangle(-1.5, -0.1, -1, 0.1)}), at(0.4));
+  EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(space.components, 2u);
+}
+
+TEST(FreeSpace, OfATranslatingCubeIsABoxLessABox) {
+  const auto cube = [](double half) {
+    Mesh mesh = box(Vec3::Constant(-half), Vec3::Constant(half));
+    return Expression(Polyhedron::make(std::move(mesh.vertices), std::move(mesh.triangles)));
+  };
+  const FreeSpace space = free_translations(cube(0.5), cube(1), Vec3::Constant(-4), Vec3::Constant(4), at(0.05));
+  EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(space.result.triangles.size(), 24u);
+  EXPECT_NEAR(volume(space.result), 512 - 27, 1e-9);
+  EXPECT_EQ(space.components, 1u);
+}
+
+TEST(FreeSpace, NamesBadArguments) {
+  EXPECT_THROW(planar_robot({}, {}, {0, 0}, {1, 1}), std::invalid_argument);
+  EXPECT_THROW(planar_robot({ell}, {}, {0, 0}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(planar_arm({1, 0, 1}, {0, 0}, true, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace starcell
