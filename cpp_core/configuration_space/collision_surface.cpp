@@ -249,7 +249,8 @@ std::vector<CollisionSurface::Entry> CollisionSurface::resolved(const Place& at,
 
 SmoothSurfacePtr CollisionSurface::restricted(const Box3& box) const {
   const Rounding rounding;
-  const Place at(*bodies_, shift_, box.center(), 0.5 * box.sizes() * (1 + 1e-15));
+  const Vec3 center = box.center();
+  const Place at(*bodies_, shift_, center, (box.max() - center).cwiseMax(center - box.min()));   // rounded up: all of the box
   return std::shared_ptr<const CollisionSurface>(new CollisionSurface(*this, shift_, resolved(at, true)));
 }
 

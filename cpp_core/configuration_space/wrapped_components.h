@@ -2,7 +2,9 @@
 //
 // The mesh tells components in the unrolled box. Two of them are one if a configuration at an angle of 0 belongs to the one, and, at 2 pi, to the other. Witnesses are taken in
 // every connected part of the mesh's cut at either end; each is certainly free, with more room about it than the mesh is off, so that the
-// part of the mesh about it is that of the free space's component. Guarantees: a number only if every part of either cut has a witness.
+// part of the mesh about it is that of the free space's component. Guarantees: a number only if every part of either cut has a witness. Does not
+// guarantee that the cuts of mesh and free space have the same parts where two of these come as near to each other as the mesh is off: the
+// certificate is about the mesh in the unrolled box.
 #pragma once
 
 #include <optional>

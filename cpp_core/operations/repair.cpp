@@ -149,7 +149,7 @@ Repaired repair(std::vector<Vec3> vertices, std::vector<Triangle> triangles, con
     if (p.allFinite()) box.extend(p);
   const Clock clock(options.budget.max_seconds);
   Options with_error = options;
-  with_error.error = options.error.value_or(longest_side(box) / 128);
+  with_error.error = error_for(options, box);
   if (!(*with_error.error > 0)) throw std::invalid_argument("error: must be greater than 0");
   if (options.progress && !options.progress(0, "closing")) throw CancelledError("The run was cancelled.");
   ClosedSoup soup = close(std::move(vertices), std::move(triangles), widest_hole * *with_error.error);

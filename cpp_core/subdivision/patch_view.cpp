@@ -243,7 +243,7 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
       return u.normalized();
     }
   // The corners of the slopes' boxes stand for all of them; the program's margin is the slack of T§3.5.4. (Of two
-  // patches the bisector is all there is to try.)
+  // patches without kinks the bisector is all there is to try.)
   std::vector<Vec3> corners;
   const auto add_corners = [&](const Interval3& slope, int sense) {
     for (int corner = 0; corner < 8; ++corner) {
@@ -260,7 +260,8 @@ std::optional<Vec3> PatchView::direction(const PatchClass& c, int flat_axis, Sta
     else
       for (const Interval3& slope : e.slopes) add_corners(slope, c.sense[i]);
   }
-  if (c.patches.size() > 2)
+  const bool kinks = std::any_of(c.patches.begin(), c.patches.end(), [&](std::size_t k) { return expansions_[k].slopes.size() > 1; });
+  if (c.patches.size() > 2 || kinks)
     if (auto u = widest_direction(corners)) {
       *u = flat(*u);
       if (u->norm() > 0 && sees(c, u->normalized())) {

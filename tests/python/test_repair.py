@@ -26,6 +26,11 @@ class Repair(unittest.TestCase):
             self.assertTrue((np.asarray(lower) >= 0).all() and (np.asarray(upper) <= 1).all(), what)
         self.assertEqual(result.certificate.statistics["repair.hole"], 1)
 
+    def test_nothing_and_what_is_not_finite_are_refused_by_name(self):
+        for vertices, triangles in ((np.zeros((0, 3)), np.zeros((0, 3), int)), (np.full((3, 3), np.nan), [(0, 1, 2)]), (np.zeros((3, 3)), [(0, 1, 2)])):
+            with self.assertRaises(sc.InvalidSolidError):
+                sc.repair(vertices, triangles)
+
     def test_other_results_have_no_findings(self):
         self.assertEqual(sc.evaluate(BOX).findings, [])
 
