@@ -71,9 +71,17 @@ class Wrapping {
       std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;
       for (const std::uint32_t t : caps[end]) triangles[parts.root(r_.triangles[t][0])].push_back(t);
       for (const auto& [root, part] : triangles)
-        if (!witness(part, caps[1 - end], axis, end, room)) return false;
+        if (is_on_side(part, axis, end) && !witness(part, caps[1 - end], axis, end, room)) return false;
     }
     return true;
+  }
+
+  // Is any triangle on the side to rounding? Else it is a contact surface that comes that near to it.
+  bool is_on_side(const std::vector<std::uint32_t>& part, int axis, std::size_t end) const {
+    const double side = end == 0 ? domain_.min()[axis] : domain_.max()[axis], near = 1e-12 * domain_.sizes().maxCoeff();
+    return std::any_of(part.begin(), part.end(), [&](std::uint32_t t) {
+      return std::all_of(r_.triangles[t].begin(), r_.triangles[t].end(), [&](std::uint32_t v) { return std::abs(r_.vertices[v][axis] - side) <= near; });
+    });
   }
 
   // Points of the part, its triangles' middles and those of their quarters, the largest triangles' first.

@@ -104,7 +104,7 @@ void bind_configuration_space(py::module_& module) {
           "(m,) uint8, per triangle: 0 of a contact surface, 1 of the bounds or of the cut at an angle of 0 or 2 pi.")
       .def_property_readonly(
           "free_components", [](const FreeSpaceRecord& self) { return self.components; },
-          "Connected components of the free configurations, where an angle of 2 pi is one of 0. None: not told at this error, as some part of the cut is narrower.");
+          "The number of connected components of the free configurations, where an angle of 2 pi is one of 0. None: not told at this error, as some part of the cut is narrower.");
   module.def(
       "free_space",
       [](const py::object& robot, const py::object& obstacles, const py::object& bounds, std::optional<double> error,
