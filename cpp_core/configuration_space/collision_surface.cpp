@@ -19,14 +19,20 @@ constexpr double narrow = 0.8, near = 4;
 Interval least(const Interval& a, const Interval& b) { return {std::min(a.lower(), b.lower()), std::min(a.upper(), b.upper())}; }
 Interval greatest(const Interval& a, const Interval& b) { return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())}; }
 
-Interval3 hull_of(const Interval3& a, const Interval3& b) {
-  const auto both = [](const Interval& x, const Interval& y) { return Interval(std::min(x.lower(), y.lower()), std::max(x.upper(), y.upper())); };
-  return {both(a.x, b.x), both(a.y, b.y), both(a.z, b.z)};
-}
-
 Interval3 anything() {
   const Interval all(-infinity, infinity);
   return {all, all, all};
+}
+
+Expansion constant(double value, const Vec3& reach) {
+  const Interval none(0.0);
+  Expansion e;
+  e.reach = reach;
+  e.value = value;
+  e.gradient = e.slope = {none, none, none};
+  e.hessian = {none, none, none, none, none, none};
+  e.steepest = 0;
+  return e;
 }
 
 }  // namespace
@@ -260,48 +266,77 @@ SmoothSurfacePtr CollisionSurface::translated(const Vec3& by) const {
 
 Expansion CollisionSurface::expand(const Vec3& center, const Vec3& reach) const {
   const Place at(*bodies_, shift_, center, reach);
-  if (pairs_.size() == 1 && pairs_[0]->sides.size() == 1 && pairs_[0]->sides[0].kept.size() == 1) return expand_pairs(pairs_, at);
-  const std::vector<Entry> here = resolved(at, false);
-  std::vector<const Pair*> pairs;
-  for (const Entry& e : here)
-    for (const Pair& p : e.pairs) pairs.push_back(&p);
-  return expand_pairs(pairs, at);
+  const bool known = std::all_of(pairs_.begin(), pairs_.end(), [](const Pair* p) { return p->known; });
+  if (known) return expand_known(at);
+  // Asked for its sign only: a function of the same sign, in the box's own pairs.
+  const CollisionSurface here(*this, shift_, resolved(at, false));
+  return std::all_of(here.pairs_.begin(), here.pairs_.end(), [](const Pair* p) { return p->known; }) ? here.expand_known(at) : here.expand_circles(at);
 }
 
-Expansion CollisionSurface::expand_pairs(const std::vector<const Pair*>& pairs, const Place& at) const {
+// One and the same function wherever it is asked for, in the cell and beside it: nothing is left out for its sign, as what is measured goes by values.
+Expansion CollisionSurface::expand_known(const Place& at) const {
   Expansion e;
   e.reach = at.reach;
-  if (pairs.empty() || (pairs[0]->known && pairs[0]->sides.empty())) {   // of one sign throughout: that of a constant
-    e.value = pairs.empty() ? 1 : -1;
-    e.gradient = e.slope = {Interval(0.0), Interval(0.0), Interval(0.0)};
-    e.hessian = {Interval(0.0), Interval(0.0), Interval(0.0), Interval(0.0), Interval(0.0), Interval(0.0)};
-    e.steepest = 0;
-    return e;
-  }
-  for (const Pair* pair : pairs) {
-    Interval apart;
-    if (!pair->known) {
-      apart = circles(moving(*pair).hull, fixed(*pair).hull, at, pair->body);
-      e.slopes.push_back(anything());
-    }
+  if (pairs_.empty() || pairs_[0]->sides.empty()) return constant(pairs_.empty() ? 1 : -1, at.reach);
+  // What each is at least and at most in the box; what then never is the least or greatest has no part in it.
+  std::vector<std::vector<Interval>> of_sides;
+  std::vector<Interval> of_pairs;
+  for (const Pair* pair : pairs_) {
+    std::vector<Interval>& sides = of_sides.emplace_back();
     for (const Side& side : pair->sides) {
-      Interval nearest;
-      for (const std::uint16_t k : side.kept) {
-        const Expansion one = (*side.all)[k].expand(at.frames[pair->body], at.reach);
-        if (pairs.size() == 1 && pair->sides.size() == 1 && side.kept.size() == 1) return one;
-        nearest = k == side.kept.front() ? one.value : least(nearest, one.value);
-        e.slopes.push_back(one.slope);
-      }
-      apart = &side == &pair->sides.front() ? nearest : greatest(apart, nearest);
+      Interval range(infinity, infinity);
+      for (const std::uint16_t k : side.kept) range = least(range, (*side.all)[k].range(at.frames[pair->body], at.reach));
+      sides.push_back(range);
     }
-    e.value = pair == pairs.front() ? apart : least(e.value, apart);
+    of_pairs.push_back(sides.front());
+    for (const Interval& side : sides) of_pairs.back() = greatest(of_pairs.back(), side);
   }
+  e.bounds = of_pairs.front();
+  for (const Interval& pair : of_pairs) e.bounds = least(e.bounds, pair);
+  std::vector<Expansion> active;
+  bool any_pair = false;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (of_pairs[p].lower() > e.bounds.upper()) continue;
+    const FrameFunctions& f = at.frames[pairs_[p]->body];
+    Interval of_pair;
+    bool any_side = false;
+    for (std::size_t s = 0; s < pairs_[p]->sides.size(); ++s) {
+      if (of_sides[p][s].upper() < of_pairs[p].lower()) continue;
+      const Side& side = pairs_[p]->sides[s];
+      Interval of_side(infinity, infinity);
+      for (const std::uint16_t k : side.kept) {
+        const ContactFunction& c = (*side.all)[k];
+        if (side.kept.size() > 1 && c.range(f, at.reach).lower() > of_sides[p][s].upper()) continue;
+        active.push_back(c.expand(f, at.reach));
+        of_side = least(of_side, active.back().value);
+      }
+      of_pair = any_side ? greatest(of_pair, of_side) : of_side;
+      any_side = true;
+    }
+    e.value = any_pair ? least(e.value, of_pair) : of_pair;
+    any_pair = true;
+  }
+  if (active.size() == 1) return active.front();
   e.smooth = false;
-  e.slope = e.slopes.front();
-  for (const Interval3& s : e.slopes) e.slope = hull_of(e.slope, s);
-  e.gradient = e.slope;
+  e.slope = active.front().slope;
   e.steepest = 0;
-  for (const Interval3& s : e.slopes) e.steepest = std::max(e.steepest, norm(s).upper());
+  for (const Expansion& one : active) {
+    e.slopes.push_back(one.slope);
+    e.slope = hull(e.slope, one.slope);
+    e.steepest = std::max(e.steepest, norm(one.slope).upper());
+  }
+  e.gradient = e.slope;
+  return e;
+}
+
+// Pairs that are not looked into: how far apart their circles are, and no word of slopes.
+Expansion CollisionSurface::expand_circles(const Place& at) const {
+  Expansion e = constant(0, at.reach);
+  e.value = {infinity, infinity};
+  for (const Pair* pair : pairs_) e.value = least(e.value, circles(moving(*pair).hull, fixed(*pair).hull, at, pair->body));
+  e.smooth = false;
+  e.gradient = e.slope = anything();
+  e.steepest = infinity;
   return e;
 }
 
@@ -368,13 +403,6 @@ bool CollisionSurface::simple() const {
     sides += pair->sides.size();
   }
   return sides <= most_sides;
-}
-
-std::size_t CollisionSurface::functions() const {
-  std::size_t count = 0;
-  for (const Pair* pair : pairs_)
-    for (const Side& side : pair->sides) count += side.kept.size();
-  return count;
 }
 
 }  // namespace starcell

@@ -5,8 +5,9 @@
 // case. A cell has two polygons as few pairs of pieces as it can: their hulls where nothing comes near the pockets (convex_pieces.h), else pieces; and of these the
 // sides that may part them, and the corners that may be the nearest there: T§5.4's applicability and a child's features from its parent's.
 // What is certain of one sign in the cell does not change F's sign, and goes.
-// Guarantees: in its box F has the sign of the whole function everywhere; expansions enclose a function that has. Its slopes hold every kept
-// contact function's, so Clarke's gradients. Does not guarantee that values far from F = 0 are distances.
+// Guarantees: in its box F has the sign of the whole function everywhere, and is one function: where all pairs are known, what expansions
+// say of different boxes fits together, as measuring asks for. Slopes hold those of every contact function that F can be there, so Clarke's
+// gradients. Does not guarantee that values far from F = 0 are distances; nor, while pairs are not known, more than signs.
 #pragma once
 
 #include <compare>
@@ -39,9 +40,6 @@ class CollisionSurface final : public SmoothSurface {
   bool same_as(const SmoothSurface& other) const override { return compares(other, &ContactFunction::same); }
   bool opposite_of(const SmoothSurface& other) const override;
   bool simple() const override;
-
-  /// Contact functions that are left; those of pairs not looked into yet do not count.
-  std::size_t functions() const;
 
  private:
   using Corners = std::vector<ContactFunction>;
@@ -90,7 +88,8 @@ class CollisionSurface final : public SmoothSurface {
   bool pockets_apart(const Place& at, std::uint32_t body, std::uint32_t moving, std::uint32_t fixed, bool of_moving) const;
   /// `anew`: in a cell, which may do with fewer pairs than the one about it; else the pairs that are known serve.
   std::vector<Entry> resolved(const Place& at, bool anew) const;
-  Expansion expand_pairs(const std::vector<const Pair*>& pairs, const Place& at) const;
+  Expansion expand_known(const Place& at) const;
+  Expansion expand_circles(const Place& at) const;
 
   std::shared_ptr<const std::vector<Body>> bodies_;
   std::shared_ptr<Sides> sides_;

@@ -38,6 +38,11 @@ Cone normals_at(const PieceTree& pieces, const ConvexPiece& piece, std::size_t c
   return {from + 0.5 * turn, 0.5 * turn + angle_slack};
 }
 
+void applies_where(ContactFunction& c, double angle, const Cone& normals, int sense) {
+  c.middle = angle + sense * normals.middle;
+  c.width = normals.width;
+}
+
 const FrameFunction& function(const FrameFunctions& f, const ContactFunction& c, std::size_t k) {
   using F = FrameFunctions;
   static constexpr std::array<F::Name, 4> of_corner{F::x, F::y, F::cosine, F::sine}, of_side{F::cosine, F::sine, F::seen_x, F::seen_y};
@@ -102,9 +107,7 @@ ContactFunction moving_corner(std::uint32_t body, const ConvexPiece& moving, std
   c.coefficients = {n.x, n.y, n.x * p.x + n.y * p.y, n.y * p.x - n.x * p.y};
   c.constant = -(n.x * a.x + n.y * a.y);
   // Farthest against n: with R q a normal there, R q = -n.
-  const Cone cone = normals_at(of_moving, moving, corner);
-  c.middle = angle_of(fixed, s) + M_PI - cone.middle;
-  c.width = cone.width;
+  applies_where(c, angle_of(fixed, s) + M_PI, normals_at(of_moving, moving, corner), -1);
   return c;
 }
 
@@ -118,9 +121,7 @@ ContactFunction moving_side(std::uint32_t body, const PieceTree& moving, const C
   // (R m) . o = cos (m . o) + sin (m_x o_y - m_y o_x), and (R m) . t = m . R^T t.
   c.coefficients = {m.x * o.x + m.y * o.y, m.x * o.y - m.y * o.x, -m.x, -m.y};
   c.constant = -(m.x * b.x + m.y * b.y);
-  const Cone cone = normals_at(of_fixed, fixed, corner);
-  c.middle = cone.middle + M_PI - angle_of(moving, s);
-  c.width = cone.width;
+  applies_where(c, M_PI - angle_of(moving, s), normals_at(of_fixed, fixed, corner), 1);
   return c;
 }
 

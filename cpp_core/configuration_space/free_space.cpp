@@ -8,20 +8,10 @@
 #include "operations/evaluate_in_few.h"
 #include "operations/minkowski.h"
 #include "operations/tolerances.h"
+#include "solids/box.h"
 
 namespace starcell {
 namespace {
-
-PolyhedronPtr cuboid(const Box3& box) {
-  std::vector<Vec3> p;
-  for (int i = 0; i < 8; ++i) p.push_back(box.corner(static_cast<Box3::CornerType>(i)));
-  std::vector<Triangle> t;
-  for (const auto& q : {std::array<std::uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-    t.push_back({q[0], q[1], q[2]});
-    t.push_back({q[0], q[2], q[3]});
-  }
-  return Polyhedron::make(std::move(p), std::move(t));
-}
 
 // A power of two, at least the radius.
 double unit_for(double radius) { return radius > 0 ? std::exp2(std::ceil(std::log2(radius))) : 1; }
@@ -84,7 +74,7 @@ FreeSpace free_translations(const Expression& robot, const Expression& obstacles
   with_error.error = error_for(options, domain);
   const Eigen::Matrix4d mirror = Eigen::Vector4d(-1, -1, -1, 1).asDiagonal();
   const Prepared sum = prepare_minkowski_sum(obstacles, robot.transformed(mirror), with_error);
-  const Expression free = Expression::difference(Expression(cuboid(domain)), sum.expression);
+  const Expression free = Expression::difference(Expression(make_box(lower, upper)), sum.expression);
   FreeSpace space{decimate ? evaluate_in_few(free, sum.options) : evaluate(free, sum.options), {}, {}};
   for (const Triangle& t : space.result.triangles) space.facet_kind.push_back(kind_of(space.result, t, domain));
   space.components = wrapped_components(space.result, nullptr, domain, 3);
@@ -92,7 +82,7 @@ FreeSpace free_translations(const Expression& robot, const Expression& obstacles
 }
 
 FreeSpace free_space(const ConfigurationProblem& problem, const Options& options, bool decimate) {
-  const Expression domain(cuboid(problem.domain));
+  const Expression domain(make_box(problem.domain.min(), problem.domain.max()));
   std::shared_ptr<const CollisionSurface> surface;
   if (!problem.bodies.empty()) surface = std::make_shared<const CollisionSurface>(problem.bodies);
   const Expression free = surface ? Expression::difference(domain, Expression(SmoothSurfacePtr(surface))) : domain;

@@ -22,8 +22,6 @@ constexpr std::uint8_t known_mask = 0x80;
 
 inline double spread(const Vec3& u, const Vec3& reach) { return u.cwiseAbs().dot(reach); }
 
-inline Interval hull(const Interval& a, const Interval& b) { return {std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())}; }
-inline Interval3 hull(const Interval3& a, const Interval3& b) { return {hull(a.x, b.x), hull(a.y, b.y), hull(a.z, b.z)}; }
 inline Interval common(const Interval& a, const Interval& b) {
   const double low = std::max(a.lower(), b.lower()), high = std::min(a.upper(), b.upper());
   return low <= high ? Interval(low, high) : a;

@@ -7,35 +7,35 @@
 namespace starcell {
 
 Expression::Expression(PolyhedronPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::polyhedron, std::move(solid), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{.kind = Kind::polyhedron, .polyhedron = std::move(solid)})) {
   if (!node_->polyhedron) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(const HalfSpace& half_space)
-    : node_(std::make_shared<Node>(Node{Kind::half_space, nullptr, std::make_shared<HalfSpace>(half_space), nullptr, nullptr, nullptr, nullptr, nullptr, {}})) {}
+    : node_(std::make_shared<Node>(Node{.kind = Kind::half_space, .half_space = std::make_shared<HalfSpace>(half_space)})) {}
 
 Expression::Expression(CurvedSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::curved, nullptr, nullptr, std::move(solid), nullptr, nullptr, nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{.kind = Kind::curved, .curved = std::move(solid)})) {
   if (!node_->curved) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(OffsetSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::offset, nullptr, nullptr, nullptr, std::move(solid), nullptr, nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{.kind = Kind::offset, .offset = std::move(solid)})) {
   if (!node_->offset) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(SumSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::sum, nullptr, nullptr, nullptr, nullptr, std::move(solid), nullptr, nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{.kind = Kind::sum, .sum = std::move(solid)})) {
   if (!node_->sum) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(WindingSolidPtr solid)
-    : node_(std::make_shared<Node>(Node{Kind::winding, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(solid), nullptr, {}})) {
+    : node_(std::make_shared<Node>(Node{.kind = Kind::winding, .winding = std::move(solid)})) {
   if (!node_->winding) throw std::invalid_argument("solid: must not be null");
 }
 
 Expression::Expression(SmoothSurfacePtr region)
-    : node_(std::make_shared<Node>(Node{Kind::region, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(region), {}})) {
+    : node_(std::make_shared<Node>(Node{.kind = Kind::region, .region = std::move(region)})) {
   if (!node_->region) throw std::invalid_argument("region: must not be null");
 }
 
@@ -50,7 +50,7 @@ Expression Expression::combine(Kind kind, const std::vector<Expression>& operand
       flat.push_back(operand);
   }
   if (flat.size() == 1) return flat.front();
-  return Expression(std::make_shared<const Node>(Node{kind, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(flat)}));
+  return Expression(std::make_shared<const Node>(Node{.kind = kind, .operands = std::move(flat)}));
 }
 
 Expression Expression::set_union(const std::vector<Expression>& operands) { return combine(Kind::set_union, operands); }
@@ -63,7 +63,7 @@ Expression Expression::difference(const Expression& a, const Expression& b) { re
 
 Expression Expression::complement() const {
   if (kind() == Kind::complement) return operands().front();
-  return Expression(std::make_shared<const Node>(Node{Kind::complement, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, {*this}}));
+  return Expression(std::make_shared<const Node>(Node{.kind = Kind::complement, .operands = {*this}}));
 }
 
 Expression Expression::transformed(const Eigen::Matrix4d& map) const {
@@ -79,7 +79,7 @@ Expression Expression::transformed(const Eigen::Matrix4d& map) const {
   }
   std::vector<Expression> moved;
   for (const Expression& operand : operands()) moved.push_back(operand.transformed(map));
-  return Expression(std::make_shared<const Node>(Node{kind(), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, std::move(moved)}));
+  return Expression(std::make_shared<const Node>(Node{.kind = kind(), .operands = std::move(moved)}));
 }
 
 namespace {

@@ -58,14 +58,14 @@ class Expression {
  private:
   struct Node {
     Kind kind;
-    PolyhedronPtr polyhedron;
-    std::shared_ptr<const HalfSpace> half_space;
-    CurvedSolidPtr curved;
-    OffsetSolidPtr offset;
-    SumSolidPtr sum;
-    WindingSolidPtr winding;
-    SmoothSurfacePtr region;
-    std::vector<Expression> operands;
+    PolyhedronPtr polyhedron{};
+    std::shared_ptr<const HalfSpace> half_space{};
+    CurvedSolidPtr curved{};
+    OffsetSolidPtr offset{};
+    SumSolidPtr sum{};
+    WindingSolidPtr winding{};
+    SmoothSurfacePtr region{};
+    std::vector<Expression> operands{};
   };
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
   static Expression combine(Kind kind, const std::vector<Expression>& operands);

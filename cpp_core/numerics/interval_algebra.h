@@ -3,6 +3,7 @@
 // Like every interval operation, sound only while a Rounding object is alive.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -34,6 +35,10 @@ inline Interval3 unit(const Interval3& a) {
   const Interval length = norm(a);
   return {a.x / length, a.y / length, a.z / length};
 }
+
+/// Both of them, and what is between.
+inline Interval hull(const Interval& a, const Interval& b) { return {std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())}; }
+inline Interval3 hull(const Interval3& a, const Interval3& b) { return {hull(a.x, b.x), hull(a.y, b.y), hull(a.z, b.z)}; }
 
 /// A symmetric 3x3 matrix.
 struct IntervalSymmetric {

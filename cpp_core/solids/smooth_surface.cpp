@@ -71,6 +71,7 @@ Interval Expansion::range() const {
     const double far = (norm(enclose(reach)) * steepest).upper();
     first = {std::max(first.lower(), (value - far).lower()), std::min(first.upper(), (value + far).upper())};
   }
+  first = {std::max(first.lower(), bounds.lower()), std::min(first.upper(), bounds.upper())};
   if (!smooth) return first;
   const Interval products = hessian.xy * dx * dy + hessian.xz * dx * dz + hessian.yz * dy * dz;
   const Interval second = value + parabola(gradient.x, hessian.xx, reach.x()) + parabola(gradient.y, hessian.yy, reach.y()) +

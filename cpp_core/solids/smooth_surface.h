@@ -44,6 +44,7 @@ struct Expansion {
   /// F - m |x|^2 / 2 is concave in the box for m its upper end, convex for its lower end, smooth or not; infinite: not known.
   Interval bend{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
+  Interval bounds{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};   ///< of F over the box, besides what else says it
   double steepest = std::numeric_limits<double>::infinity();   ///< no slope is longer
   /// If not 0: |F + source| is the distance from something, and F bends by its inverse at most, upwards if source > 0, else downwards.
   double source = 0;

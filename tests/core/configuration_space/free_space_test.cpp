@@ -46,6 +46,36 @@ TEST(CollisionSurface, IsNegativeWherePolygonsOverlap) {
   }
 }
 
+// What is said of different boxes of a cell is said of one function: values of points lie in ranges, and change by no more than slopes say. Measuring rests on it.
+TEST(CollisionSurface, OfACellIsOneFunction) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-1.5, 1.5), turn(0, 6), share(-1, 1);
+  int kinked = 0;
+  for (int k = 0; k < 400; ++k) {
+    const ConfigurationProblem problem = planar_robot({random_star(random, 3 + k % 7)}, {random_star(random, 3 + k % 5)}, {-3, -3}, {3, 3});
+    const CollisionSurface surface(problem.bodies);
+    const Vec3 center(place(random), place(random), turn(random)), reach = Vec3::Constant(0.1);
+    const auto cell = surface.restricted(Box3(center - reach, center + reach));
+    std::vector<SmoothSurfacePtr> all = cell->parts();
+    all.push_back(cell);
+    for (const SmoothSurfacePtr& f : all) {
+      if (!f->simple()) continue;
+      const Vec3 at = center + 0.05 * Vec3(share(random), share(random), share(random)), half = Vec3::Constant(0.05);
+      const Vec3 p = at + 0.05 * Vec3(share(random), share(random), share(random)), q = at + 0.05 * Vec3(share(random), share(random), share(random));
+      const Rounding rounding;
+      const Expansion box = f->expand(at, half), of_p = f->expand(p, Vec3::Zero()), of_q = f->expand(q, Vec3::Zero());
+      kinked += box.slopes.size() > 1;
+      const Interval range = box.range(), rise = box.along(q - p) + Interval(-1e-12, 1e-12);
+      EXPECT_LE(range.lower(), of_p.value.upper());
+      EXPECT_GE(range.upper(), of_p.value.lower());
+      EXPECT_LE(rise.lower(), (of_q.value - of_p.value).upper());
+      EXPECT_GE(rise.upper(), (of_q.value - of_p.value).lower());
+      EXPECT_NEAR(f->value(p, nullptr), middle(of_p.value), 1e-9);
+    }
+  }
+  EXPECT_GT(kinked, 50);
+}
+
 // Poincare's formula: positions in which two convex polygons meet measure 2 pi (A + B) + L M, areas and perimeters.
 TEST(FreeSpace, OfConvexPolygonsHasTheVolumeOfPoincaresFormula) {
   const Ring robot{{-0.4, -0.3}, {0.5, -0.2}, {0.0, 0.5}}, obstacle = rectangle(-0.5, -0.5, 0.5, 0.5);
