@@ -1,6 +1,6 @@
 // The configurations in which a robot is free, as a certified mesh (T§1.3, T§5.1-5.4).
 //
-// A solid that translates (what is free of the sum of obstacles and mirrored robot, minkowski/), a planar body that translates and turns, and an arm of three straight links on revolute joints: all that is free is what is left of
+// A solid that translates (what is free of the sum of obstacles and mirrored robot, minkowski/), a planar body that translates and turns, and an arm of three links on revolute joints: all that is free is what is left of
 // a box of configurations where no contact function says that something meets (collision_surface.h), contoured as any other solid. Angles are scaled by `unit`, a power of two
 // and at least the robot's radius, while that is done: so a distance there is no less than one that counts as many model units a radian as the radius.
 // Guarantees: the certificate's, of the free configurations within the domain, in model units and radians. Touching is not free; contacts are told as everywhere.
@@ -13,17 +13,35 @@ namespace starcell {
 
 struct ConfigurationProblem {
   std::vector<Body> bodies;
-  Box3 domain;          ///< of scaled configurations; angles from 0 to 2 pi
+  std::optional<std::array<double, 3>> crossing;   ///< links, without width, of which the last one must not cross the first
+  Box3 domain;                                ///< of scaled configurations; angles that go round from 0 to 2 pi
   double unit = 1;
-  int first_angle = 2;  ///< this coordinate and those after it are angles
+  int first_angle = 2;                        ///< this coordinate and those after it are angles
+  std::array<bool, 3> goes_round{false, false, true};
+
+  struct Collision {
+    std::optional<Expression> set;     ///< none: all is free
+    double moved = 0;                  ///< within the contact tolerance, to decide `contacts`
+    std::vector<Box3> contacts;
+  };
+  Collision collision(double contact) const;
 };
 
 /// Polygons in the robot's frame, whose origin it turns about; `lower` and `upper`: of its translations. Throws InvalidSolidError for polygons, std::invalid_argument
 /// for bounds that are not finite or are empty.
 ConfigurationProblem planar_robot(const std::vector<Ring>& robot, const std::vector<Ring>& obstacles, const std::array<double, 2>& lower, const std::array<double, 2>& upper);
 
-/// Links from joint to joint. With `self_collision` the last link must not cross the first: neighbours only fold.
-ConfigurationProblem planar_arm(const std::array<double, 3>& lengths, const std::array<double, 2>& base, bool self_collision, const std::vector<Ring>& obstacles);
+/// An arm of three links on revolute joints; a link's own frame has its joint at the origin and the next one at (length, 0).
+struct Arm {
+  std::array<double, 3> lengths;
+  std::array<double, 2> base{0, 0};
+  bool self_collision = true;                                         ///< the last link must not meet the first: neighbours are up to the limits
+  std::array<std::vector<Ring>, 3> shapes{};                          ///< of links, in their frames; none: a straight line without width
+  std::array<std::optional<std::array<double, 2>>, 3> limits{};       ///< of the joints, radians, lower before upper; none: it goes round
+};
+
+/// Throws InvalidSolidError for polygons, std::invalid_argument for what is not finite, lengths that are not positive, limits that are empty or more than a turn.
+ConfigurationProblem planar_arm(const Arm& arm, const std::vector<Ring>& obstacles);
 
 struct FreeSpace {
   Result result;                             ///< in configurations: angles in radians

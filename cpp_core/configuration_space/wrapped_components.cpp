@@ -18,16 +18,38 @@ constexpr double facing = 0.9;
 // Of the domain's size: how far a side's points may be off it.
 constexpr double moved_share = 1e-5;
 
+// Is the whole box certainly inside (1), certainly outside (-1)? Else 0.
+int side(const Expression& e, const Vec3& center, const Vec3& reach) {
+  using Kind = Expression::Kind;
+  if (e.kind() == Kind::region) {
+    const Rounding rounding;
+    const auto sign_of = [&](const SmoothSurface& f) { return certain_sign(f.expand(center, reach).range()); };
+    if (const int sign = sign_of(*e.region()); sign != 0) return -sign;
+    const SmoothSurfacePtr here = e.region()->restricted(Box3(center - reach, center + reach));
+    return here ? -sign_of(*here) : 0;
+  }
+  if (e.kind() == Kind::complement) return -side(e.operands().front(), center, reach);
+  if (e.kind() != Kind::set_union && e.kind() != Kind::intersection) return 0;
+  const int decides = e.kind() == Kind::set_union ? 1 : -1;
+  int rest = -decides;
+  for (const Expression& operand : e.operands()) {
+    const int one = side(operand, center, reach);
+    if (one == decides) return decides;
+    if (one == 0) rest = 0;
+  }
+  return rest;
+}
+
 class Wrapping {
  public:
-  Wrapping(const Result& r, const CollisionSurface* surface, const Box3& domain)
-      : r_(r), surface_(surface), domain_(domain), neighbours_(connect(r.vertices, r.triangles).neighbours), shells_(r.triangles.size()) {
+  Wrapping(const Result& r, const std::optional<Expression>& collision, const Box3& domain)
+      : r_(r), collision_(collision), domain_(domain), neighbours_(connect(r.vertices, r.triangles).neighbours), shells_(r.triangles.size()) {
     for (std::uint32_t t = 0; t < r.triangles.size(); ++t)
       for (const std::uint32_t n : neighbours_[t])
         if (n != kNoTriangle) shells_.join(t, n);
   }
 
-  std::optional<std::size_t> count(int first_angle) {
+  std::optional<std::size_t> count(const std::array<bool, 3>& goes_round) {
     const double room = r_.certificate.error_bound * more_room;
     if (!std::isfinite(room)) return std::nullopt;
     std::map<std::uint32_t, double> volumes;
@@ -40,8 +62,8 @@ class Wrapping {
     for (const auto& [root, volume] : volumes)
       if (volume > 0) outer.push_back(root);
     if (outer.size() == 1) return 1;
-    for (int axis = first_angle; axis < 3; ++axis)
-      if (!join(axis, room)) return std::nullopt;
+    for (int axis = 0; axis < 3; ++axis)
+      if (goes_round[static_cast<std::size_t>(axis)] && !join(axis, room)) return std::nullopt;
     std::vector<std::uint32_t> roots;
     for (const std::uint32_t root : outer) roots.push_back(shells_.root(root));
     std::sort(roots.begin(), roots.end());
@@ -113,9 +135,7 @@ class Wrapping {
   // Free in a ball about it, as far as that is in the domain, and so at the other end.
   bool has_room(Vec3 x, int axis, std::size_t end, double room) const {
     x[axis] = end == 0 ? domain_.min()[axis] : domain_.max()[axis];
-    if (!surface_) return true;
-    const Rounding rounding;
-    return certain_sign(surface_->expand(x, Vec3::Constant(room)).range()) > 0 || certain_sign(surface_->restricted(Box3(x - Vec3::Constant(room), x + Vec3::Constant(room)))->expand(x, Vec3::Constant(room)).range()) > 0;
+    return !collision_ || side(*collision_, x, Vec3::Constant(room)) < 0;
   }
 
   bool is_over(std::uint32_t t, const Vec3& x, int axis) const {
@@ -126,7 +146,7 @@ class Wrapping {
   }
 
   const Result& r_;
-  const CollisionSurface* surface_;
+  const std::optional<Expression>& collision_;
   const Box3& domain_;
   const std::vector<Triangle> neighbours_;
   DisjointSets shells_;
@@ -134,9 +154,10 @@ class Wrapping {
 
 }  // namespace
 
-std::optional<std::size_t> wrapped_components(const Result& result, const CollisionSurface* surface, const Box3& domain, int first_angle) {
+std::optional<std::size_t> wrapped_components(const Result& result, const std::optional<Expression>& collision, const Box3& domain,
+                                              const std::array<bool, 3>& goes_round) {
   if (result.triangles.empty()) return result.certificate.unresolved.empty() ? std::optional<std::size_t>(0) : std::nullopt;
-  return Wrapping(result, surface, domain).count(first_angle);
+  return Wrapping(result, collision, domain).count(goes_round);
 }
 
 }  // namespace starcell

@@ -9,12 +9,11 @@
 
 #include <optional>
 
-#include "configuration_space/collision_surface.h"
 #include "operations/boolean.h"
 
 namespace starcell {
 
-/// `surface` null: all is free. Coordinates from `first_angle` on are angles, scaled.
-std::optional<std::size_t> wrapped_components(const Result& result, const CollisionSurface* surface, const Box3& domain, int first_angle);
+/// `collision`: of regions; none: all is free. `goes_round`: which coordinates are such angles.
+std::optional<std::size_t> wrapped_components(const Result& result, const std::optional<Expression>& collision, const Box3& domain, const std::array<bool, 3>& goes_round);
 
 }  // namespace starcell

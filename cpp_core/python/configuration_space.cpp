@@ -19,13 +19,7 @@ struct PlanarRobot {
   std::vector<Ring> polygons;
 };
 
-struct PlanarArm {
-  std::array<double, 3> lengths;
-  std::array<double, 2> base;
-  bool self_collision;
-};
-
-using Robot = std::variant<TranslatingRobot, PlanarRobot, PlanarArm>;
+using Robot = std::variant<TranslatingRobot, PlanarRobot, Arm>;
 
 struct FreeSpaceRecord : ResultRecord {
   std::vector<std::uint8_t> facet_kind;
@@ -35,7 +29,7 @@ struct FreeSpaceRecord : ResultRecord {
 Robot read_robot(const py::object& robot) {
   if (py::isinstance<TranslatingRobot>(robot)) return robot.cast<TranslatingRobot>();
   if (py::isinstance<PlanarRobot>(robot)) return robot.cast<PlanarRobot>();
-  if (py::isinstance<PlanarArm>(robot)) return robot.cast<PlanarArm>();
+  if (py::isinstance<Arm>(robot)) return robot.cast<Arm>();
   throw py::type_error("robot: must be a TranslatingRobot, a PlanarRobot or a PlanarArm");
 }
 
@@ -43,6 +37,12 @@ std::pair<py::object, py::object> read_bounds(const py::object& bounds) {
   if (!py::isinstance<py::sequence>(bounds) || py::len(bounds) != 2) throw py::type_error("bounds: must be (lower, upper)");
   const auto both = bounds.cast<py::sequence>();
   return {both[0], both[1]};
+}
+
+py::object one_of_three(const py::object& three, std::size_t k, const char* what) {
+  if (three.is_none()) return three;
+  if (!py::isinstance<py::sequence>(three) || py::len(three) != 3) throw py::type_error(std::string(what) + ": must be None or three of them");
+  return three.cast<py::sequence>()[k];
 }
 
 py::object free_space_of(const Robot& robot, const py::object& obstacles, const py::object& bounds, std::optional<double> error, std::optional<double> contact, int threads,
@@ -69,8 +69,7 @@ py::object free_space_of(const Robot& robot, const py::object& obstacles, const 
     return run([&](const Options& options) { return free_space(problem, options, decimate); });
   }
   if (!bounds.is_none()) throw py::type_error("bounds: must be None for a PlanarArm");
-  const PlanarArm& arm = std::get<PlanarArm>(robot);
-  const ConfigurationProblem problem = planar_arm(arm.lengths, arm.base, arm.self_collision, polygons);
+  const ConfigurationProblem problem = planar_arm(std::get<Arm>(robot), polygons);
   return run([&](const Options& options) { return free_space(problem, options, decimate); });
 }
 
@@ -87,15 +86,21 @@ void bind_configuration_space(py::module_& module) {
              return robot;
            }),
            py::arg("polygon"), "polygon: (n, 2) floats, simple, in either sense, or a sequence of such, whose union it is. Raises InvalidSolidError for a polygon that crosses itself.");
-  py::class_<PlanarArm>(module, "PlanarArm",
-                        "Three straight links without width on revolute joints: (theta1, theta2, theta3) in radians, theta_i relative to link i - 1, the first to the x axis.")
-      .def(py::init([](const std::array<double, 3>& lengths, const py::object& base, bool self_collision) {
-             const PlanarArm arm{lengths, read_vector2(base, "base"), self_collision};
-             planar_arm(arm.lengths, arm.base, arm.self_collision, {});   // to be refused here
+  py::class_<Arm>(module, "PlanarArm",
+                  "Three links on revolute joints: (theta1, theta2, theta3) in radians, theta_i relative to link i - 1, the first to the x axis.")
+      .def(py::init([](const std::array<double, 3>& lengths, const py::object& base, bool self_collision, const py::object& joint_limits, const py::object& link_shapes) {
+             Arm arm{lengths, read_vector2(base, "base"), self_collision};
+             for (std::size_t k = 0; k < 3; ++k) {
+               if (const py::object limits = one_of_three(joint_limits, k, "joint_limits"); !limits.is_none()) arm.limits[k] = read_vector2(limits, "joint_limits");
+               if (const py::object shape = one_of_three(link_shapes, k, "link_shapes"); !shape.is_none()) arm.shapes[k] = read_polygons(shape, "link_shapes");
+             }
+             planar_arm(arm, {});   // to be refused here
              return arm;
            }),
-           py::arg("link_lengths"), py::arg("base") = py::make_tuple(0.0, 0.0), py::arg("self_collision") = true,
-           "link_lengths: three positive floats, model units. base: where the first joint is. self_collision: the last link must not cross the first.");
+           py::arg("link_lengths"), py::arg("base") = py::make_tuple(0.0, 0.0), py::arg("self_collision") = true, py::arg("joint_limits") = py::none(), py::arg("link_shapes") = py::none(),
+           "link_lengths: three positive floats from joint to joint, model units. base: where the first joint is. self_collision: the last link must not meet the first; neighbours "
+           "are up to joint_limits, three of (lower, upper) in radians or None, a joint that goes round. link_shapes: three of polygons, (n, 2) floats each in the link's frame, "
+           "whose joint is the origin and whose next one is at (length, 0); or None, a straight line without width. Raises ValueError for limits that are empty or more than a turn.");
   py::class_<FreeSpaceRecord, ResultRecord, std::shared_ptr<FreeSpaceRecord>>(
       module, "FreeSpace", "A Result whose mesh bounds the free configurations within their domain: translations in model units, angles in radians, unrolled to [0, 2 pi] as the last coordinates.")
       .def_property_readonly(

@@ -210,6 +210,7 @@ double SmoothSurface::value(const Vec3& x, Vec3* gradient) const {
 }
 
 std::optional<double> surface_distance(const SmoothSurface& f, const SmoothSurface& g, const Box3& box) {
+  if (f.same_as(g)) return 0;
   const auto a = f.round_shape(), b = g.round_shape();
   if (a && b) return round_distance(*a, *b, box);
   // Where |F - G| <= d and |grad F| >= s along the way to it, the zero of F is within d / s; half of the slope on the surface

@@ -106,6 +106,8 @@ class SmoothSurface {
   virtual bool same_as(const SmoothSurface&) const { return false; }
   /// Certainly the same function with the other sign?
   virtual bool opposite_of(const SmoothSurface&) const { return false; }
+  /// This one less the other one, if that is certainly the same everywhere: its sign is right, its size to rounding.
+  virtual std::optional<double> constant_difference(const SmoothSurface&) const { return std::nullopt; }
   /// The planes on which flat pieces of the surface lie, where it has such pieces.
   virtual std::vector<FlatPiece> planes() const { return {}; }
   /// In the box it was restricted to: which of the whole surface's planes it is, if it is one.

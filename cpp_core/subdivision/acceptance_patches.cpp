@@ -62,18 +62,16 @@ bool Acceptance::accept_patches(const CellProblem& problem, const Box3& box, Lea
   const FacetTable& table = restriction_.table();
   const auto patches = Patches::of(restriction_, problem);
   if (!patches) return false;
-  const PatchView view(*patches, box);
+  PatchView view(*patches, box);
   if (view.constant()) return true;
-  const auto classes = view.classes();
-  if (!classes) return false;
-  std::vector<Vec3> directions;
-  for (const PatchClass& c : *classes) {
-    const auto u = view.direction(c, -1, statistics_);
-    if (!u) return false;
-    directions.push_back(*u);
+  auto classes = view.seen_classes(-1, statistics_);
+  if (!classes && view.compare_threes()) {
+    if (view.constant()) return true;
+    classes = view.seen_classes(-1, statistics_);
   }
+  if (!classes) return false;
   std::vector<Sheet> shapes;
-  for (std::size_t k = 0; k < classes->size(); ++k) shapes.push_back(class_sheet(*patches, (*classes)[k], directions[k], box));
+  for (std::size_t k = 0; k < classes->size(); ++k) shapes.push_back(class_sheet(*patches, (*classes)[k], (*classes)[k].direction, box));
   RimLines rims(restriction_, problem);
   for (int side = 0; side < 6; ++side) {
     auto arcs = star_face(restriction_, *patches, rims, face_of(problem.cell, side), settings_.error, statistics_);
@@ -94,7 +92,7 @@ bool Acceptance::accept_patches(const CellProblem& problem, const Box3& box, Lea
     of_class[k].push_back(&loop);
   }
   for (std::size_t k = 0; k < classes->size(); ++k) {
-    if (!all_outer(of_class[k], directions[k])) return false;
+    if (!all_outer(of_class[k], (*classes)[k].direction)) return false;
     for (const Loop* loop : of_class[k]) {
       Sheet sheet = shapes[k];
       if (sheet.shape == Sheet::Shape::graph && !near_enough(sheet, *loop, box)) return false;

@@ -29,10 +29,15 @@ class FaceStar {
 
   std::optional<std::vector<Arc>> trace(const Face& face, int splits) {
     const Box3 box(grid_.point(face.corner(0, 0)), grid_.point(face.corner(1, 1)));
-    const PatchView view(patches_, box);
+    PatchView view(patches_, box);
     if (view.constant()) return std::vector<Arc>{};
-    if (const auto classes = view.classes())
-      if (auto arcs = pair(face, view, *classes)) {
+    auto classes = view.seen_classes(face.axis, statistics_);
+    if (!classes && view.compare_threes()) {
+      if (view.constant()) return std::vector<Arc>{};
+      classes = view.seen_classes(face.axis, statistics_);
+    }
+    if (classes)
+      if (auto arcs = pair(face, *classes)) {
         count(statistics_.face_star);
         return arcs;
       }
@@ -41,13 +46,7 @@ class FaceStar {
   }
 
  private:
-  std::optional<std::vector<Arc>> pair(const Face& face, const PatchView& view, const std::vector<PatchClass>& classes) {
-    std::vector<Vec3> directions;
-    for (const PatchClass& c : classes) {
-      const auto u = view.direction(c, face.axis, statistics_);
-      if (!u) return std::nullopt;
-      directions.push_back(*u);
-    }
+  std::optional<std::vector<Arc>> pair(const Face& face, const std::vector<PatchClass>& classes) {
     const auto flips = rims_.around(face);
     if (!flips) return std::nullopt;
     std::vector<std::vector<End>> ends(classes.size());
@@ -64,11 +63,11 @@ class FaceStar {
             on = on == max_patches ? patch : nearer(place_of(x, grid_), on, patch);
           }
       if (at == classes.size()) return std::nullopt;
-      ends[at].push_back(end_of(flip, on, face, directions[at]));
+      ends[at].push_back(end_of(flip, on, face, classes[at].direction));
     }
     std::vector<Arc> arcs;
     for (std::size_t k = 0; k < classes.size(); ++k)
-      if (!pair_class(face, classes[k], directions[k], ends[k], arcs)) return std::nullopt;
+      if (!pair_class(face, classes[k], ends[k], arcs)) return std::nullopt;
     return arcs;
   }
 
@@ -92,7 +91,7 @@ class FaceStar {
     return {&flip, patch, at.lower(), at.upper()};
   }
 
-  bool pair_class(const Face& face, const PatchClass& c, const Vec3& u, std::vector<End>& ends, std::vector<Arc>& arcs) {
+  bool pair_class(const Face& face, const PatchClass& c, std::vector<End>& ends, std::vector<Arc>& arcs) {
     if (ends.size() % 2 != 0) return false;
     std::sort(ends.begin(), ends.end(), [](const End& x, const End& y) { return x.low + x.high < y.low + y.high; });
     // Which of an arc's two ends comes first need not be certain, their difference from the next arc's has to be.
@@ -103,13 +102,14 @@ class FaceStar {
     for (std::size_t k = 0; k < ends.size(); k += 2) {
       if (ends[k].flip->enters == ends[k + 1].flip->enters) return false;
       const bool swapped = !ends[k].flip->enters;
-      arcs.push_back(arc_between(face, c, u, swapped ? ends[k + 1] : ends[k], swapped ? ends[k] : ends[k + 1]));
+      arcs.push_back(arc_between(face, c, swapped ? ends[k + 1] : ends[k], swapped ? ends[k] : ends[k + 1]));
       if (!std::isinf(error_) && !(arcs.back().sway <= error_)) return false;
     }
     return true;
   }
 
-  Arc arc_between(const Face& face, const PatchClass& c, const Vec3& u, const End& start, const End& end) const {
+  Arc arc_between(const Face& face, const PatchClass& c, const End& start, const End& end) const {
+    const Vec3& u = c.direction;
     Arc arc;
     arc.start = start.flip->crossing;
     arc.end = end.flip->crossing;

@@ -34,20 +34,59 @@ PatchView::PatchView(const Patches& patches, const Box3& box) : patches_(patches
 // common zero either. The c that cancels the gradients decides most.
 void PatchView::compare(std::size_t k, std::size_t l) {
   const Expansion &f = expansions_[k], &g = expansions_[l];
+  const auto exclude = [&](double c, int sign) {
+    const bool l_negative = sign > 0;
+    const bool k_negative = c > 0 ? l_negative : !l_negative;
+    excluded_[k][l] |= 1u << (2 * k_negative + l_negative);
+    excluded_[l][k] |= 1u << (2 * l_negative + k_negative);
+  };
+  if (const Surface &one = patches_.at(k), &other = patches_.at(l); one.form && other.form)
+    if (const auto apart = other.form->constant_difference(*one.form)) return *apart != 0 ? exclude(-1, *apart > 0 ? 1 : -1) : void();
   const Vec3 gf = f.gradient.middle(), gg = g.gradient.middle();
   const double square = gf.squaredNorm();
   if (!(square > 0)) return;
   const double c = -gf.dot(gg) / square;
   if (c == 0) return;
   const int sign = certain_sign(combine(c, f, 1, g).range());
-  if (sign == 0) return;
-  const bool l_negative = sign > 0;
-  const bool k_negative = c > 0 ? l_negative : !l_negative;
-  excluded_[k][l] |= 1u << (2 * k_negative + l_negative);
-  excluded_[l][k] |= 1u << (2 * l_negative + k_negative);
+  if (sign != 0) exclude(c, sign);
+}
+
+bool PatchView::compare_threes() {
+  if (mixed_.size() > max_mixed) return false;
+  const Rounding rounding;
+  bool any = false;
+  for (std::size_t i = 0; i < mixed_.size(); ++i)
+    for (std::size_t j = i + 1; j < mixed_.size(); ++j)
+      for (std::size_t k = j + 1; k < mixed_.size(); ++k) any = compare(mixed_[i], mixed_[j], mixed_[k]) || any;
+  return any;
+}
+
+// As for two: the combination in which the gradients cancel, if they lie in a plane.
+bool PatchView::compare(std::size_t k, std::size_t l, std::size_t m) {
+  const std::array<std::size_t, 3> three{k, l, m};
+  std::array<Vec3, 3> g, across;
+  for (std::size_t i = 0; i < 3; ++i) g[i] = expansions_[three[i]].gradient.middle();
+  for (std::size_t i = 0; i < 3; ++i) across[i] = g[(i + 1) % 3].cross(g[(i + 2) % 3]);
+  const Vec3& widest = *std::max_element(across.begin(), across.end(), [](const Vec3& u, const Vec3& v) { return u.squaredNorm() < v.squaredNorm(); });
+  std::array<double, 3> weight;
+  for (std::size_t i = 0; i < 3; ++i) weight[i] = across[i].dot(widest);
+  if (!(std::abs(weight[0]) > 0 && std::abs(weight[1]) > 0 && std::abs(weight[2]) > 0)) return false;
+  const double largest = std::max({std::abs(weight[0]), std::abs(weight[1]), std::abs(weight[2])});
+  const Expansion two = combine(weight[0] / largest, expansions_[k], weight[1] / largest, expansions_[l]);
+  const int sign = certain_sign(combine(1, two, weight[2] / largest, expansions_[m]).range());
+  if (sign == 0) return false;
+  Sides mask = 0, negative = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    mask |= Sides{1} << three[i];
+    if ((weight[i] > 0) == (sign > 0)) negative |= Sides{1} << three[i];
+  }
+  excluded_threes_.emplace_back(mask, negative);
+  return true;
 }
 
 bool PatchView::feasible(Sides sides) const {
+  for (const auto& [mask, negative] : excluded_threes_)
+    if ((sides & mask) == negative) return false;
   for (std::size_t i = 0; i < mixed_.size(); ++i)
     for (std::size_t j = i + 1; j < mixed_.size(); ++j) {
       const std::size_t k = mixed_[i], l = mixed_[j];
@@ -127,6 +166,17 @@ std::optional<std::vector<PatchClass>> PatchView::classes() const {
     classes.push_back(std::move(c));
   }
   return classes;
+}
+
+std::optional<std::vector<PatchClass>> PatchView::seen_classes(int flat_axis, Statistics& statistics) const {
+  auto found = classes();
+  if (!found) return std::nullopt;
+  for (PatchClass& c : *found) {
+    const auto u = direction(c, flat_axis, statistics);
+    if (!u) return std::nullopt;
+    c.direction = *u;
+  }
+  return found;
 }
 
 // E's value near the class's surfaces, as a function of the class's sides alone: the other patches' sides are fixed there, or of no

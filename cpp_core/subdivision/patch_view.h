@@ -1,7 +1,8 @@
 // Patches over a box: which can bound E there, in which sense, which cannot meet, and the directions that see them as graphs.
 //
 // Everything is read off second-order enclosures (solids/smooth_surface.h): a patch of one certain sign is a constant; if
-// F + c G is of one sign, two patches have no point in common and one combination of their sides does not occur. What no
+// F + c G is of one sign, two patches have no point in common and one combination of their sides does not occur; and so for three,
+// where a wedge of two ends before the third. What no
 // feasible combination of sides can flip does not bound E: that is how sheets inside other solids disappear (DESIGN §3).
 //
 // Two patches are linked if they may meet where membership depends on both; elsewhere E runs on through one of them alone. A
@@ -24,16 +25,22 @@ struct PatchClass {
   std::vector<std::size_t> patches;     ///< indices into Patches; at most max_class
   std::vector<int> sense;               ///< +1: E's outward normal is F's gradient, -1: turned
   std::uint64_t value = 0;              ///< bit a: inside for the class's sides a (bit i: negative side of patches[i])
+  Vec3 direction = Vec3::Zero();        ///< a certified one, once it has been looked for
 };
 
 class PatchView {
  public:
   PatchView(const Patches& patches, const Box3& box);
 
+  /// Rules out what three patches cannot be at once, which is looked at where pairs do not suffice. Did it rule out anything?
+  bool compare_threes();
+
   /// Certainly the same membership everywhere?
   bool constant() const;
   /// None if some patch bounds E in both senses, or there are too many.
   std::optional<std::vector<PatchClass>> classes() const;
+  /// The same with a direction for each; none if one has none. `flat_axis`: as direction().
+  std::optional<std::vector<PatchClass>> seen_classes(int flat_axis, Statistics& statistics) const;
   /// A certified direction of unit length; `flat_axis`: without a component along that axis, or -1.
   std::optional<Vec3> direction(const PatchClass& c, int flat_axis, Statistics& statistics) const;
   /// Is it one?
@@ -45,6 +52,7 @@ class PatchView {
   /// Does a combination of sides occur, as far as is known?
   bool feasible(Sides sides) const;
   void compare(std::size_t k, std::size_t l);
+  bool compare(std::size_t k, std::size_t l, std::size_t m);
   int side_on(std::size_t k, std::size_t l) const;
   bool linked(std::size_t k, std::size_t l) const;
   template <class Visit>
@@ -59,6 +67,7 @@ class PatchView {
   std::vector<std::size_t> mixed_;                                             // patches of no certain sign
   Sides fixed_ = 0;                                                            // negative sides of the others
   std::array<std::array<std::uint8_t, max_patches>, max_patches> excluded_{};  // bit 2 [k negative] + [l negative]
+  std::vector<std::pair<Sides, Sides>> excluded_threes_;                       // of three patches, the negative sides
 };
 
 }  // namespace starcell

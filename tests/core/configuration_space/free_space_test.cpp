@@ -126,7 +126,7 @@ TEST(FreeSpace, WithNothingAroundIsTheDomain) {
 
 // Two posts in the way of the first link, one on either side: two sectors, which the other joints' turns do not join.
 TEST(FreeSpace, OfAnArmIsCutByWhatItsFirstLinkCannotPass) {
-  const FreeSpace space = free_space(planar_arm({2, 0.3, 0.3}, {0, 0}, false, {rectangle(1, -0.1, 1.5, 0.1), rectangle(-1.5, -0.1, -1, 0.1)}), at(0.4));
+  const FreeSpace space = free_space(planar_arm({.lengths = {2, 0.3, 0.3}, .self_collision = false}, {rectangle(1, -0.1, 1.5, 0.1), rectangle(-1.5, -0.1, -1, 0.1)}), at(0.4));
   EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
   EXPECT_EQ(space.components, 2u);
 }
@@ -146,7 +146,7 @@ TEST(FreeSpace, OfATranslatingCubeIsABoxLessABox) {
 TEST(FreeSpace, NamesBadArguments) {
   EXPECT_THROW(planar_robot({}, {}, {0, 0}, {1, 1}), std::invalid_argument);
   EXPECT_THROW(planar_robot({ell}, {}, {0, 0}, {0, 1}), std::invalid_argument);
-  EXPECT_THROW(planar_arm({1, 0, 1}, {0, 0}, true, {}), std::invalid_argument);
+  EXPECT_THROW(planar_arm({.lengths = {1, 0, 1}}, {}), std::invalid_argument);
 }
 
 }  // namespace
