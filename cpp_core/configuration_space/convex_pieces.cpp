@@ -5,6 +5,7 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -38,21 +39,26 @@ void merge_flat_sides(Polygon& p) {
 }
 
 struct Cut {
-  std::size_t corner;  ///< a reflex one
   std::size_t side;    ///< on which it ends
   bool at_corner;      ///< where that side begins
   P place;
   K::FT length;        ///< squared
 };
 
-// Where the ray from corner k away from `back` meets the polygon first.
-Cut first_hit(const Polygon& p, std::size_t k, const P& back) {
-  const P& from = p[k];
+// Is the point in the corner's angle, inside the polygon near it?
+bool sees(const Polygon& p, std::size_t corner, const P& from) {
+  const P &a = p[previous(p, corner)], &b = p[corner], &c = p[next(p, corner)];
+  const bool left_of_first = CGAL::orientation(a, b, from) != CGAL::RIGHT_TURN, left_of_second = CGAL::orientation(b, c, from) != CGAL::RIGHT_TURN;
+  return CGAL::orientation(a, b, c) == CGAL::RIGHT_TURN ? left_of_first || left_of_second : left_of_first && left_of_second;
+}
+
+// Where the ray from a point away from `back` meets the polygon first, from inside: cuts to holes are sides twice, once in either sense.
+Cut first_hit(const Polygon& p, const P& from, const P& back) {
   const K::Vector_2 way = from - back;
   std::optional<Cut> best;
   for (std::size_t s = 0; s < p.size(); ++s) {
     const P &a = p[s], &b = p[next(p, s)];
-    if (s == k || next(p, s) == k) continue;
+    if (a == from || b == from) continue;
     const auto side_a = CGAL::orientation(back, from, a), side_b = CGAL::orientation(back, from, b);
     P place;
     bool at_corner = false;
@@ -65,42 +71,70 @@ Cut first_hit(const Polygon& p, std::size_t k, const P& back) {
       place = a + (b - a) * (ha / (ha - hb));
     }
     if (CGAL::sign((place - from) * way) != CGAL::POSITIVE) continue;
+    if (at_corner ? !sees(p, s, from) : CGAL::orientation(a, b, from) != CGAL::LEFT_TURN) continue;
     const K::FT length = CGAL::squared_distance(from, place);
-    if (!best || length < best->length) best = Cut{k, s, at_corner, place, length};
+    if (!best || length < best->length) best = Cut{s, at_corner, place, length};
   }
-  return *best;   // the polygon is about the corner
+  return *best;   // the polygon is about the point
 }
 
-std::pair<Polygon, Polygon> cut_along(const Polygon& p, const Cut& c) {
+std::pair<Polygon, Polygon> cut_along(const Polygon& p, std::size_t corner, const Cut& c) {
   Polygon one, other;
   // From the corner along the polygon to the hit, and back to the corner.
-  for (std::size_t i = c.corner; !(c.at_corner && i == c.side); i = next(p, i)) {
+  for (std::size_t i = corner; !(c.at_corner && i == c.side); i = next(p, i)) {
     one.push_back(p[i]);
     if (i == c.side) break;
   }
   one.push_back(c.place);
   // From the hit along the polygon to the corner, and to the hit.
   other.push_back(c.place);
-  for (std::size_t i = next(p, c.side); i != c.corner; i = next(p, i)) other.push_back(p[i]);
-  other.push_back(p[c.corner]);
+  for (std::size_t i = next(p, c.side); i != corner; i = next(p, i)) other.push_back(p[i]);
+  other.push_back(p[corner]);
   return {std::move(one), std::move(other)};
+}
+
+// One ring, which runs along cuts from the polygon to its holes and back. The hole that reaches farthest is first: what a ray on from there meets is no hole that
+// is not joined yet (Eberly's order).
+Polygon with_holes_joined(Polygon outer, std::vector<Polygon> holes) {
+  const auto farthest = [](const Polygon& hole) { return std::max_element(hole.begin(), hole.end()) - hole.begin(); };
+  std::sort(holes.begin(), holes.end(), [&](const Polygon& g, const Polygon& h) { return h[static_cast<std::size_t>(farthest(h))] < g[static_cast<std::size_t>(farthest(g))]; });
+  for (Polygon& hole : holes) {
+    std::rotate(hole.begin(), hole.begin() + farthest(hole), hole.end());
+    const Cut cut = first_hit(outer, hole.front(), hole.back());
+    Polygon way;
+    if (!cut.at_corner) way.push_back(cut.place);
+    way.insert(way.end(), hole.begin(), hole.end());
+    way.push_back(hole.front());
+    way.push_back(cut.place);
+    outer.insert(outer.begin() + static_cast<std::ptrdiff_t>(cut.side) + 1, way.begin(), way.end());
+    merge_flat_sides(outer);
+  }
+  return outer;
 }
 
 class Decomposition {
  public:
   explicit Decomposition(PieceTree& tree) : tree_(tree) {}
 
-  void add(const Ring& ring) {
-    Polygon whole;
-    for (const Point2& p : ring) whole.emplace_back(p[0], p[1]);
-    merge_flat_sides(whole);
-    for (std::size_t k = 0; k < whole.size(); ++k) side(whole[k], whole[next(whole, k)]);   // first, so that lines are known by the polygon's own corners
+  /// The outer ring anticlockwise, holes clockwise.
+  void add(const PlanarPolygon& polygon) {
+    Polygon whole = ring(polygon.outer);
+    std::vector<Polygon> holes;
+    for (const Ring& hole : polygon.holes) holes.push_back(ring(hole));
     leaves_.clear();
-    tree_.roots.push_back(node(std::move(whole)));
+    tree_.roots.push_back(node(with_holes_joined(std::move(whole), std::move(holes))));
     find_seams();
   }
 
  private:
+  Polygon ring(const Ring& given) {
+    Polygon p;
+    for (const Point2& c : given) p.emplace_back(c[0], c[1]);
+    merge_flat_sides(p);
+    for (std::size_t k = 0; k < p.size(); ++k) side(p[k], p[next(p, k)]);   // before cuts, so that lines are known by the polygon's own corners
+    return p;
+  }
+
   std::uint32_t node(Polygon p) {
     const auto at = static_cast<std::uint32_t>(tree_.nodes.size());
     tree_.nodes.emplace_back();
@@ -113,7 +147,8 @@ class Decomposition {
       return at;
     }
     find_hull(p, tree_.nodes[at]);
-    auto [one, other] = cut_along(p, best_cut(p, reflex));
+    const auto [corner, cut] = best_cut(p, reflex);
+    auto [one, other] = cut_along(p, corner, cut);
     p.clear();
     merge_flat_sides(one);
     merge_flat_sides(other);
@@ -123,27 +158,30 @@ class Decomposition {
   }
 
   // Rather not one that ends in a corner; of others the shortest: what is cut off then is a part that sticks out, a tooth at its root.
-  static Cut best_cut(const Polygon& p, const std::vector<std::size_t>& reflex) {
-    std::optional<Cut> best;
+  static std::pair<std::size_t, Cut> best_cut(const Polygon& p, const std::vector<std::size_t>& reflex) {
+    std::optional<std::pair<std::size_t, Cut>> best;
     const std::size_t step = (reflex.size() + most_tries - 1) / most_tries;
     for (std::size_t r = 0; r < reflex.size(); r += step)
       for (const std::size_t back : {previous(p, reflex[r]), next(p, reflex[r])}) {
-        Cut cut = first_hit(p, reflex[r], p[back]);
-        if (!best || (cut.at_corner != best->at_corner ? !cut.at_corner : cut.length < best->length)) best = std::move(cut);
+        Cut cut = first_hit(p, p[reflex[r]], p[back]);
+        if (!best || (cut.at_corner != best->second.at_corner ? !cut.at_corner : cut.length < best->second.length)) best.emplace(reflex[r], std::move(cut));
       }
     return *best;
   }
 
+  // Between two corners that are also the hull's there is a side of it, or a pocket. A corner from which a cut goes to a hole comes twice.
   void find_hull(const Polygon& p, PieceNode& node) {
     std::vector<P> hull;
     CGAL::convex_hull_2(p.begin(), p.end(), std::back_inserter(hull));
     node.hull = piece(hull);
-    std::map<P, std::size_t> index;
-    for (std::size_t k = 0; k < p.size(); ++k) index.emplace(p[k], k);
-    for (std::size_t h = 0; h < hull.size(); ++h) {
-      const std::size_t from = index.at(hull[h]), to = index.at(hull[(h + 1) % hull.size()]);
-      Polygon chain, pocket;
-      for (std::size_t k = from; k != to; k = next(p, k)) chain.push_back(p[k]);
+    std::vector<std::size_t> on_hull;
+    const std::set<P> corners(hull.begin(), hull.end());
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (corners.contains(p[k])) on_hull.push_back(k);
+    for (std::size_t h = 0; h < on_hull.size(); ++h) {
+      const std::size_t from = on_hull[h], to = on_hull[(h + 1) % on_hull.size()];
+      Polygon chain{p[from]}, pocket;
+      for (std::size_t k = next(p, from); k != to; k = next(p, k)) chain.push_back(p[k]);
       chain.push_back(p[to]);
       CGAL::convex_hull_2(chain.begin(), chain.end(), std::back_inserter(pocket));
       if (pocket.size() > 2) node.pockets.push_back(piece(pocket));
@@ -261,9 +299,42 @@ Ring checked(const Ring& given, const char* what, std::size_t number) {
   return ring;
 }
 
+bool inside(const Point2& p, const Ring& ring) {
+  std::vector<P> points;
+  for (const Point2& c : ring) points.emplace_back(c[0], c[1]);
+  return CGAL::bounded_side_2(points.begin(), points.end(), P(p[0], p[1])) == CGAL::ON_BOUNDED_SIDE;
+}
+
+bool touch(const Ring& a, const Ring& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const Point2 &p = a[i], &q = a[(i + 1) % a.size()], &r = b[j], &s = b[(j + 1) % b.size()];
+      if (std::max(p[0], q[0]) < std::min(r[0], s[0]) || std::max(r[0], s[0]) < std::min(p[0], q[0])) continue;
+      if (std::max(p[1], q[1]) < std::min(r[1], s[1]) || std::max(r[1], s[1]) < std::min(p[1], q[1])) continue;
+      if (CGAL::do_intersect(K::Segment_2(P(p[0], p[1]), P(q[0], q[1])), K::Segment_2(P(r[0], r[1]), P(s[0], s[1])))) return true;
+    }
+  return false;
+}
+
+PlanarPolygon checked(const PlanarPolygon& given, const char* what, std::size_t number) {
+  PlanarPolygon polygon(checked(given.outer, what, number));
+  for (std::size_t h = 0; h < given.holes.size(); ++h) {
+    Ring hole = checked(given.holes[h], what, number);
+    const std::string name = "has a hole, number " + std::to_string(h) + ", that ";
+    if (!inside(hole.front(), polygon.outer) || touch(hole, polygon.outer)) refuse(what, number, name + "is not inside it");
+    for (const Ring& other : polygon.holes) {
+      if (touch(hole, other)) refuse(what, number, name + "touches another one");
+      if (inside(hole.front(), other) || inside(other.front(), hole)) refuse(what, number, name + "is in another one, or about it");
+    }
+    std::reverse(hole.begin(), hole.end());
+    polygon.holes.push_back(std::move(hole));
+  }
+  return polygon;
+}
+
 }  // namespace
 
-PieceTree piece_tree(const std::vector<Ring>& polygons, const char* what) {
+PieceTree piece_tree(const std::vector<PlanarPolygon>& polygons, const char* what) {
   PieceTree tree;
   Decomposition decomposition(tree);
   for (std::size_t k = 0; k < polygons.size(); ++k) decomposition.add(checked(polygons[k], what, k));

@@ -3,12 +3,13 @@
 // At a reflex corner one of its two sides is prolonged until it meets the polygon again, which cuts the polygon in two, and so on until all is convex (the naive
 // decomposition of Chazelle & Dobkin 1985; among several corners the one whose cut is shortest). A node of the tree is the convex hull of what was there before the
 // cut, with its *pockets*, what the hull has too much. What is apart from all pockets meets the hull exactly where it meets the polygon: so seams between pieces matter
-// only to what reaches into the pocket that made them.
+// only to what reaches into the pocket that made them. A hole is joined to what is about it by a first cut, along one of its sides: a pocket as others.
 // Guarantees: exact; corners that are not the polygon's are enclosed; a pocket is in its convex hull, which stands for it. Does not guarantee fewest pieces.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "numerics/interval.h"
@@ -17,6 +18,12 @@ namespace starcell {
 
 using Point2 = std::array<double, 2>;
 using Ring = std::vector<Point2>;
+
+struct PlanarPolygon {
+  Ring outer;
+  std::vector<Ring> holes;
+  PlanarPolygon(Ring outer, std::vector<Ring> holes = {}) : outer(std::move(outer)), holes(std::move(holes)) {}
+};
 
 struct PieceCorner {
   Interval x, y;
@@ -58,9 +65,9 @@ struct PieceTree {
   std::vector<std::uint32_t> roots;                 ///< one a polygon
 };
 
-/// The union of simple polygons, each in either sense. Throws InvalidSolidError, which names `what`, the polygon's number and the place, for one that has fewer than three corners,
-/// crosses or touches itself, has no area, or is not finite.
-PieceTree piece_tree(const std::vector<Ring>& polygons, const char* what);
+/// The union of simple polygons with holes, rings in either sense. Throws InvalidSolidError, which names `what`, the polygon's number and the place, for one of which a ring has
+/// fewer than three corners, crosses or touches itself or another, has no area, or is not finite, or a hole is not in it.
+PieceTree piece_tree(const std::vector<PlanarPolygon>& polygons, const char* what);
 
 /// A straight link from the origin to (length, 0): a piece of two corners and two sides.
 PieceTree segment_piece(double length);

@@ -34,7 +34,7 @@ void scale_back(Result& r, const Vec3& by) {
 
 }  // namespace
 
-ConfigurationProblem planar_robot(const std::vector<Ring>& robot, const std::vector<Ring>& obstacles, const std::array<double, 2>& lower, const std::array<double, 2>& upper) {
+ConfigurationProblem planar_robot(const std::vector<PlanarPolygon>& robot, const std::vector<PlanarPolygon>& obstacles, const std::array<double, 2>& lower, const std::array<double, 2>& upper) {
   if (robot.empty()) throw std::invalid_argument("polygon: the robot has none");
   for (std::size_t k = 0; k < 2; ++k)
     if (!std::isfinite(lower[k]) || !std::isfinite(upper[k]) || !(lower[k] < upper[k]))
@@ -42,8 +42,8 @@ ConfigurationProblem planar_robot(const std::vector<Ring>& robot, const std::vec
   ConfigurationProblem problem;
   Body body{nullptr, std::make_shared<const PieceTree>(piece_tree(robot, "polygon")), std::make_shared<const PieceTree>(piece_tree(obstacles, "obstacles"))};
   double radius = 0;
-  for (const Ring& ring : robot)
-    for (const Point2& p : ring) radius = std::max(radius, std::hypot(p[0], p[1]));
+  for (const PlanarPolygon& polygon : robot)
+    for (const Point2& p : polygon.outer) radius = std::max(radius, std::hypot(p[0], p[1]));
   problem.unit = unit_for(radius);
   body.frame = free_frame(problem.unit);
   if (!body.fixed->roots.empty()) problem.bodies.push_back(std::move(body));
@@ -65,7 +65,7 @@ void check(const Arm& arm) {
 
 }  // namespace
 
-ConfigurationProblem planar_arm(const Arm& arm, const std::vector<Ring>& obstacles) {
+ConfigurationProblem planar_arm(const Arm& arm, const std::vector<PlanarPolygon>& obstacles) {
   check(arm);
   ConfigurationProblem problem;
   const auto fixed = std::make_shared<const PieceTree>(piece_tree(obstacles, "obstacles"));

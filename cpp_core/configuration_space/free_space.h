@@ -29,19 +29,19 @@ struct ConfigurationProblem {
 
 /// Polygons in the robot's frame, whose origin it turns about; `lower` and `upper`: of its translations. Throws InvalidSolidError for polygons, std::invalid_argument
 /// for bounds that are not finite or are empty.
-ConfigurationProblem planar_robot(const std::vector<Ring>& robot, const std::vector<Ring>& obstacles, const std::array<double, 2>& lower, const std::array<double, 2>& upper);
+ConfigurationProblem planar_robot(const std::vector<PlanarPolygon>& robot, const std::vector<PlanarPolygon>& obstacles, const std::array<double, 2>& lower, const std::array<double, 2>& upper);
 
 /// An arm of three links on revolute joints; a link's own frame has its joint at the origin and the next one at (length, 0).
 struct Arm {
   std::array<double, 3> lengths;
   std::array<double, 2> base{0, 0};
   bool self_collision = true;                                         ///< the last link must not meet the first: neighbours are up to the limits
-  std::array<std::vector<Ring>, 3> shapes{};                          ///< of links, in their frames; none: a straight line without width
+  std::array<std::vector<PlanarPolygon>, 3> shapes{};                          ///< of links, in their frames; none: a straight line without width
   std::array<std::optional<std::array<double, 2>>, 3> limits{};       ///< of the joints, radians, lower before upper; none: it goes round
 };
 
 /// Throws InvalidSolidError for polygons, std::invalid_argument for what is not finite, lengths that are not positive, limits that are empty or more than a turn.
-ConfigurationProblem planar_arm(const Arm& arm, const std::vector<Ring>& obstacles);
+ConfigurationProblem planar_arm(const Arm& arm, const std::vector<PlanarPolygon>& obstacles);
 
 struct FreeSpace {
   Result result;                             ///< in configurations: angles in radians

@@ -87,10 +87,10 @@ std::array<double, 2> read_vector2(const py::handle& object, const char* argumen
 
 namespace {
 
-std::vector<std::array<double, 2>> read_ring(const py::handle& object, const char* argument) {
+Ring read_ring(const py::handle& object, const char* argument) {
   const Doubles array = converted<double>(any_array(object, argument), argument);
   if (array.ndim() != 2 || array.shape(1) != 2) wrong_shape(argument, "(n, 2)", array);
-  std::vector<std::array<double, 2>> ring(static_cast<std::size_t>(array.shape(0)));
+  Ring ring(static_cast<std::size_t>(array.shape(0)));
   for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = {array.data()[2 * k], array.data()[2 * k + 1]};
   return ring;
 }
@@ -105,13 +105,23 @@ int depth_of(const py::handle& object) {
 
 }  // namespace
 
-std::vector<std::vector<std::array<double, 2>>> read_polygons(const py::handle& object, const char* argument) {
+std::vector<PlanarPolygon> read_polygons(const py::handle& object, const char* argument) {
   const int depth = depth_of(object);
   if (depth == 0) throw py::type_error(std::string(argument) + ": must be a polygon, shape (n, 2), or a sequence of polygons");
   if (depth == 2) return {read_ring(object, argument)};
-  std::vector<std::vector<std::array<double, 2>>> rings;
-  for (const py::handle item : py::reinterpret_borrow<py::sequence>(object)) rings.push_back(read_ring(item, argument));
-  return rings;
+  std::vector<PlanarPolygon> polygons;
+  for (const py::handle item : py::reinterpret_borrow<py::sequence>(object)) {
+    if (depth_of(item) != 3) {
+      polygons.emplace_back(read_ring(item, argument));
+      continue;
+    }
+    std::vector<Ring> rings;
+    for (const py::handle ring : py::reinterpret_borrow<py::sequence>(item)) rings.push_back(read_ring(ring, argument));
+    Ring outer = std::move(rings.front());
+    rings.erase(rings.begin());
+    polygons.emplace_back(std::move(outer), std::move(rings));
+  }
+  return polygons;
 }
 
 std::vector<Triangle> read_triangles(const py::handle& object, const char* argument, std::size_t vertex_count) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "configuration_space/convex_pieces.h"
 #include "numerics/vector.h"
 #include "solids/polyhedron.h"
 
@@ -28,8 +29,8 @@ std::vector<Vec3> read_points(const py::handle& object, const char* argument);
 /// Shape (2,).
 std::array<double, 2> read_vector2(const py::handle& object, const char* argument);
 
-/// One polygon, shape (n, 2), or a sequence of such.
-std::vector<std::vector<std::array<double, 2>>> read_polygons(const py::handle& object, const char* argument);
+/// One polygon, shape (n, 2), or a sequence of such; one of them may be a sequence itself, of its outer ring and holes.
+std::vector<PlanarPolygon> read_polygons(const py::handle& object, const char* argument);
 
 /// Shape (m, 3), integers in [0, vertex_count), checked as 64-bit numbers before they are narrowed.
 std::vector<Triangle> read_triangles(const py::handle& object, const char* argument, std::size_t vertex_count);

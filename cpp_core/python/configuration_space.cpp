@@ -16,7 +16,7 @@ struct TranslatingRobot {
 };
 
 struct PlanarRobot {
-  std::vector<Ring> polygons;
+  std::vector<PlanarPolygon> polygons;
 };
 
 using Robot = std::variant<TranslatingRobot, PlanarRobot, Arm>;
@@ -62,7 +62,7 @@ py::object free_space_of(const Robot& robot, const py::object& obstacles, const 
     const Vec3 lower = read_vector(low, "bounds"), upper = read_vector(high, "bounds");
     return run([&](const Options& options) { return free_translations(translating->solid, solid, lower, upper, options, decimate); });
   }
-  const std::vector<Ring> polygons = read_polygons(obstacles, "obstacles");
+  const std::vector<PlanarPolygon> polygons = read_polygons(obstacles, "obstacles");
   if (const auto* planar = std::get_if<PlanarRobot>(&robot)) {
     const auto [low, high] = read_bounds(bounds);
     const ConfigurationProblem problem = planar_robot(planar->polygons, polygons, read_vector2(low, "bounds"), read_vector2(high, "bounds"));
@@ -85,7 +85,7 @@ void bind_configuration_space(py::module_& module) {
              piece_tree(robot.polygons, "polygon");   // to be refused here
              return robot;
            }),
-           py::arg("polygon"), "polygon: (n, 2) floats, simple, in either sense, or a sequence of such, whose union it is. Raises InvalidSolidError for a polygon that crosses itself.");
+           py::arg("polygon"), "polygon: (n, 2) floats, simple, in either sense, or a sequence of such, whose union it is; one of these may be a sequence of its outer ring and its holes. Raises InvalidSolidError for a polygon that crosses itself.");
   py::class_<Arm>(module, "PlanarArm",
                   "Three links on revolute joints: (theta1, theta2, theta3) in radians, theta_i relative to link i - 1, the first to the x axis.")
       .def(py::init([](const std::array<double, 3>& lengths, const py::object& base, bool self_collision, const py::object& joint_limits, const py::object& link_shapes) {
@@ -119,7 +119,7 @@ void bind_configuration_space(py::module_& module) {
       py::arg("robot"), py::arg("obstacles"), py::arg("bounds"), py::arg("error") = py::none(), py::arg("contact") = py::none(), py::arg("threads") = 0, py::arg("budget") = py::none(),
       py::arg("progress") = py::none(), py::arg("on_unresolved") = "return", py::arg("decimate") = true,
       "The configurations in which the robot meets no obstacle, as a FreeSpace.\n\n"
-      "robot: TranslatingRobot, PlanarRobot or PlanarArm. obstacles: a Solid for a TranslatingRobot, else polygons, (n, 2) floats each, model units. bounds: (lower, upper) of "
+      "robot: TranslatingRobot, PlanarRobot or PlanarArm. obstacles: a Solid for a TranslatingRobot, else polygons, (n, 2) floats each or an outer ring and holes, model units. bounds: (lower, upper) of "
       "the translations; None for an arm. error: two-sided Hausdorff bound in model units, an angle counting robot-radius units a radian (an arm: its length); None: "
       "longest side of the domain / 128. Others as evaluate(). Source: T§5.2-5.4, Appendix B.");
 }

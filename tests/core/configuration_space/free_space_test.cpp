@@ -92,14 +92,14 @@ TEST(FreeSpace, OfConvexPolygonsHasTheVolumeOfPoincaresFormula) {
 // Where sides become parallel while they touch, four functions meet in a crease at one angle: a direction that sees all of it is not
 // that of their mean. (The corner about which the triangle turns makes one of them the same at all angles.)
 TEST(FreeSpace, CreasesAtOneAngleAreSettledInFewCells) {
-  const FreeSpace space = free_space(planar_robot({{{0, 0}, {1, 0}, {0, 1}}}, {{{-0.4, -0.3}, {0.5, -0.2}, {0.0, 0.5}}}, {0, -0.35}, {0.2, -0.15}), at(0.01), false);
+  const FreeSpace space = free_space(planar_robot({Ring{{0, 0}, {1, 0}, {0, 1}}}, {Ring{{-0.4, -0.3}, {0.5, -0.2}, {0.0, 0.5}}}, {0, -0.35}, {0.2, -0.15}), at(0.01), false);
   EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
   EXPECT_LT(space.result.certificate.statistics.at("max_depth"), 16);   // 24 where single cells stay open
 }
 
 // A closed room: what is inside and what is outside, at any angle of the robot in its own frame.
 TEST(FreeSpace, OfALockedRoomHasTwoComponents) {
-  const std::vector<Ring> room{rectangle(-3, 2, 3, 3), rectangle(-3, -3, 3, -2), rectangle(-3, -3, -2, 3), rectangle(2, -3, 3, 3)};
+  const std::vector<PlanarPolygon> room{rectangle(-3, 2, 3, 3), rectangle(-3, -3, 3, -2), rectangle(-3, -3, -2, 3), rectangle(2, -3, 3, 3)};
   const FreeSpace space = free_space(planar_robot({placed(ell, 0, 0, 0.4)}, room, {-6, -6}, {6, 6}), at(0.4));
   EXPECT_NE(space.result.certificate.verdict, Verdict::unresolved);
   EXPECT_EQ(topology(space.result), (Topology{2, {0, 1}}));
