@@ -1,10 +1,10 @@
 // Components of the free space where angles go round: 0 and 2 pi are one.
 //
 // The mesh tells components in the unrolled box. Two of them are one if a configuration at an angle of 0 belongs to the one, and, at 2 pi, to the other. Witnesses are taken in
-// every connected part of the mesh's cut at either end; each is certainly free, with more room about it than the mesh is off, so that the
-// part of the mesh about it is that of the free space's component. Guarantees: a number only if every part of either cut has a witness. Does not
-// guarantee that the cuts of mesh and free space have the same parts where two of these come as near to each other as the mesh is off: the
-// certificate is about the mesh in the unrolled box.
+// every connected part of the mesh's cut at either end: certainly free, and joined, at either end, to a place with more room about it than the mesh is off, by a
+// chain of cubes that are free: so the part of the mesh about that place is that of the free space's component. Guarantees: what is counted as one is one; a number
+// only if every part of the cut has a witness, but for chips: what the cut has left of a component, too thin for a witness. Does not guarantee that the cuts of mesh and free space have the same parts where two of these come as near to each
+// other as the mesh is off: the certificate is about the mesh in the unrolled box.
 #pragma once
 
 #include <optional>

@@ -34,6 +34,21 @@ class FreeSpace(unittest.TestCase):
         r = sc.free_space(sc.PlanarArm((1, 1, 1), self_collision=False), [], None, error=0.2)
         self.assertEqual((r.free_components, len(r.triangles)), (1, 12))
 
+    def test_a_hole_is_a_room_of_its_own(self):
+        frame = [[(-3, -3), (3, -3), (3, 3), (-3, 3)], [(-2, -2), (2, -2), (2, 2), (-2, 2)]]
+        r = sc.free_space(sc.PlanarRobot(TRIANGLE), [frame], ((-5, -5), (5, 5)), error=0.5)
+        self.assertEqual(r.free_components, 2)
+
+    def test_an_arm_with_limits_and_shapes(self):
+        bar = [(-0.1, -0.1), (1.1, -0.1), (1.1, 0.1), (-0.1, 0.1)]
+        r = sc.free_space(sc.PlanarArm((1, 1, 1), joint_limits=[None, (-1, 1), (-1, 1)], link_shapes=[bar, bar, bar]), [], None, error=0.2)
+        self.assertEqual((r.free_components, len(r.triangles)), (1, 12))
+        self.assertAlmostEqual(float(np.prod(np.ptp(r.vertices, axis=0))), 8 * np.pi)
+        with self.assertRaisesRegex(ValueError, "joint_limits"):
+            sc.PlanarArm((1, 1, 1), joint_limits=[(1, -1), None, None])
+        with self.assertRaisesRegex(TypeError, "joint_limits"):
+            sc.PlanarArm((1, 1, 1), joint_limits=(-1, 1))
+
     def test_errors(self):
         robot = sc.PlanarRobot(TRIANGLE)
         with self.assertRaisesRegex(sc.InvalidSolidError, "polygon 0 crosses"):

@@ -131,6 +131,65 @@ TEST(FreeSpace, OfAnArmIsCutByWhatItsFirstLinkCannotPass) {
   EXPECT_EQ(space.components, 2u);
 }
 
+// Equal links cross in two quadrangles of the last two angles, corners (pi, pi), (pi, pi / 2), (2 pi / 3, 2 pi / 3), (pi / 2, pi) and their images: a twelfth of all. They have (pi, pi)
+// in common: a contact, along a line.
+TEST(FreeSpace, OfAFoldingArmLosesATwelfth) {
+  const FreeSpace space = free_space(planar_arm({.lengths = {1, 1, 1}}, {}), at(0.1));
+  EXPECT_EQ(space.result.certificate.verdict, Verdict::contact);
+  EXPECT_EQ(space.result.certificate.contacts.size(), 1u);
+  EXPECT_LE(space.result.certificate.error_bound, 0.1);
+  EXPECT_EQ(space.components, 1u);
+  EXPECT_NEAR(volume(space.result) / (8 * M_PI * M_PI * M_PI), 11.0 / 12, 0.005);   // a move of a quarter of 0.001, scaled
+}
+
+// Other lengths, in general position.
+TEST(FreeSpace, OfAnArmOfAnyLengthsIsToldInFewCells) {
+  for (const std::array<double, 3>& l : std::vector<std::array<double, 3>>{{1, 0.8, 0.7}, {0.7, 1, 0.9}, {1, 0.6, 1.3}}) {
+    const FreeSpace space = free_space(planar_arm({.lengths = l}, {}), at(0.1), false);
+    EXPECT_EQ(space.result.certificate.verdict, Verdict::contact);
+    EXPECT_LT(space.result.certificate.statistics.at("leaves"), 20000);   // without end where a wedge ends at the cut, before three patches were looked at
+  }
+}
+
+// Limits keep away from what folds; then nothing touches.
+TEST(FreeSpace, OfAnArmWithinLimits) {
+  const FreeSpace space = free_space(planar_arm({.lengths = {1, 1, 1}, .limits = {std::nullopt, {{-2.5, 2.5}}, {{-2.5, 2.5}}}}, {}), at(0.1));
+  EXPECT_EQ(space.result.certificate.verdict, Verdict::exact);
+  EXPECT_EQ(space.components, 1u);
+  // Of the two quadrangles what is within the limits: with u = pi - 2.5 the square of side pi - u at (pi, pi), turned about, cut by 2 x + y < pi and x + 2 y < pi.
+  const double u = M_PI - 2.5, corner = (M_PI - u) / 2;   // x = u meets x + 2 y = pi at y = corner
+  const double area = (corner - u) * (M_PI / 3 - u) ;     // of the kite (u, u), (corner, u), (pi / 3, pi / 3), (u, corner)
+  EXPECT_NEAR(volume(space.result), 2 * M_PI * (25 - 2 * area), 0.3);
+}
+
+// Links with width: the same configurations as of polygons that CGAL says overlap.
+TEST(CollisionSurface, OfAnArmIsNegativeWhereThickLinksOverlap) {
+  const std::array<double, 3> l{1, 0.8, 0.6};
+  Arm arm{.lengths = l};
+  for (std::size_t k = 0; k < 3; ++k) arm.shapes[k] = {rectangle(-0.1, -0.1, l[k] + 0.1, 0.1)};
+  const Ring post = rectangle(0.9, 0.4, 1.3, 0.9);
+  const ConfigurationProblem problem = planar_arm(arm, {post});
+  const CollisionSurface surface(problem.bodies);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> turn(0, 6.28);
+  std::array<int, 2> seen{};
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 q(turn(random), turn(random), turn(random));
+    std::array<Ring, 3> links;
+    double x = 0, y = 0, angle = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      angle += q[static_cast<int>(i)];
+      links[i] = placed(arm.shapes[i].front().outer, x, y, angle);
+      x += l[i] * std::cos(angle), y += l[i] * std::sin(angle);
+    }
+    const bool meets = overlap(links[0], post) || overlap(links[1], post) || overlap(links[2], post) || overlap(links[2], links[0]);
+    ++seen[meets];
+    const Rounding rounding;
+    EXPECT_EQ(certain_sign(surface.expand(problem.unit * q, Vec3::Zero()).range()), meets ? -1 : 1) << q.transpose();
+  }
+  EXPECT_GT(std::min(seen[0], seen[1]), 50);
+}
+
 TEST(FreeSpace, OfATranslatingCubeIsABoxLessABox) {
   const auto cube = [](double half) {
     Mesh mesh = box(Vec3::Constant(-half), Vec3::Constant(half));
