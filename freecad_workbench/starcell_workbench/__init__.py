@@ -9,13 +9,14 @@
     scw.make_penetration_depth(doc.Shaft, doc.Bearing).Report
     scw.make_simplified(doc.Scan, error="0.05 mm").TrianglesBefore
     scw.make_repaired(doc.Scan).Flaws
+    scw.make_configuration_space(doc.Key, doc.Lock).FreeComponents
     scw.make_solid(obj).Shape
 
 Works with and without the GUI. The package holds no geometry: it hands FreeCAD's objects to the engine `starcell`
 and its results back. Documents store class paths of this package, so it is always imported by this one name.
 """
-from .macros import (make_closing, make_cut, make_erode, make_intersection, make_minkowski_sum, make_offset, make_opening,
+from .macros import (make_closing, make_configuration_space, make_cut, make_erode, make_free_positions, make_intersection, make_minkowski_sum, make_offset, make_opening,
                      make_penetration_depth, make_remeshed, make_repaired, make_rescue, make_shell, make_simplified, make_solid, make_union)
 
-__all__ = ["make_closing", "make_cut", "make_erode", "make_intersection", "make_minkowski_sum", "make_offset", "make_opening",
+__all__ = ["make_closing", "make_configuration_space", "make_cut", "make_erode", "make_free_positions", "make_intersection", "make_minkowski_sum", "make_offset", "make_opening",
            "make_penetration_depth", "make_remeshed", "make_repaired", "make_rescue", "make_shell", "make_simplified", "make_solid", "make_union"]

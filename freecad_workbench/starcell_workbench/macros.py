@@ -10,6 +10,7 @@ import FreeCAD
 
 from . import lengths
 from .boolean_feature import Cut, Intersection, Union
+from .configuration_feature import ConfigurationSpace, FreePositions
 from .depth_feature import PenetrationDepth
 from .minkowski_feature import MinkowskiSum
 from .offset_feature import Closing, Erode, Offset, Opening, Shell
@@ -75,6 +76,22 @@ def make_closing(obj, element, error=None, contact=None, label=None, document=No
 def make_minkowski_sum(obj, element, error=None, contact=None, label=None, document=None):
     """`obj` swept by `element`: all sums of a point of one and a point of the other, both as they stand in the document."""
     return make(MinkowskiSum, {"Source": obj, "Element": element}, error, contact, label, document)
+
+
+def make_configuration_space(robot, obstacles, height=0, margin=None, turn_height=None, error=None, contact=None, label=None, document=None):
+    """Where `robot` can be in the plane z = `height` (0: the middle of what all have in common) among `obstacles` (an object, or a sequence of them), and how turned: over x and y of its middle, the turn as height.
+
+    height, margin, turn_height: mm, or a text with a unit; margin: how far beyond the obstacles, None: automatic; turn_height: of a full turn as drawn.
+    """
+    return make(ConfigurationSpace, {"Robot": robot, "Obstacles": obstacles}, error, contact, label, document, Height=lengths.parse(height, "height"),
+                Margin=lengths.parse_positive(margin, "margin") if margin is not None else 0,
+                TurnHeight=lengths.parse_positive(turn_height, "turn_height") if turn_height is not None else 0)
+
+
+def make_free_positions(robot, obstacles, margin=None, error=None, contact=None, label=None, document=None):
+    """Where the middle of `robot` can be in space, without a turn, so that it meets none of `obstacles`: an object, or a sequence of them."""
+    return make(FreePositions, {"Robot": robot, "Obstacles": obstacles}, error, contact, label, document,
+                Margin=lengths.parse_positive(margin, "margin") if margin is not None else 0)
 
 
 def make_simplified(obj, error=None, contact=None, label=None, document=None):
@@ -178,7 +195,7 @@ def make(operation, given, error=None, contact=None, label=None, document=None, 
 
         OperationView(obj.ViewObject)
     recompute(obj)
-    if obj.isValid():
+    if obj.isValid() and not operation.keeps_operands:
         for each in obj.Proxy.linked(obj):
             each.Visibility = False
     return obj

@@ -62,6 +62,7 @@ class OperationFeature(Stateless):
     parameters = ()
     faces = None    # the parameter that takes the names of faces picked with the operand, if there is one
     highlighted = None  # a Highlighted, if there are places to draw
+    keeps_operands = False  # stay visible, and where they are in the tree
     outputs = ()    # (type, name, attributes, help) of what published() sets
 
     def compute(self, starcell, solids, values, options):

@@ -36,7 +36,7 @@ class OperationView(Stateless):
         return resources.icon(self.obj.Proxy.command)
 
     def claimChildren(self):
-        return self.obj.Proxy.linked(self.obj)
+        return [] if self.obj.Proxy.keeps_operands else self.obj.Proxy.linked(self.obj)
 
     def updateData(self, obj, name):
         if name == "Mesh":
