@@ -8,7 +8,7 @@ import starcell_workbench as scw
 
 NAMES = ("StarCell_Union", "StarCell_Cut", "StarCell_Intersection", "StarCell_Rescue", "StarCell_Offset",
          "StarCell_Shell", "StarCell_MinkowskiSum", "StarCell_Erode", "StarCell_Opening", "StarCell_Closing", "StarCell_Simplify", "StarCell_Remesh",
-         "StarCell_Repair", "StarCell_PenetrationDepth", "StarCell_ToSolid")
+         "StarCell_Repair", "StarCell_ConfigurationSpace", "StarCell_FreePositions", "StarCell_PenetrationDepth", "StarCell_ToSolid")
 
 
 class Commands(window.WindowTest):
