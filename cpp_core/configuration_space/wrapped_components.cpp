@@ -69,6 +69,7 @@ class Wrapping {
     for (int axis = 0; axis < 3; ++axis)
       if (goes_round[static_cast<std::size_t>(axis)]) add_parts(axis);
     for (Part& part : parts_) witness(part, room);
+    join_by_place(room);
     const auto without = joints_of_chips();
     if (!without) return std::nullopt;
     std::set<std::uint32_t> roots;
@@ -112,6 +113,33 @@ class Wrapping {
           const std::uint32_t surface = surfaces_.root(part.front());
           parts_.push_back({axis, end, std::move(part), surface});
         }
+    }
+  }
+
+  // Of parts without a witness: one at either end that come near each other, and neither near one of another surface, are the same part of the cut, from which neither is
+  // farther than the mesh is off.
+  void join_by_place(double room) {
+    const auto near = [&](const Part& p, const Part& q) {
+      Box3 one, other;
+      for (const auto& [part, box] : {std::pair{&p, &one}, {&q, &other}})
+        for (const std::uint32_t t : part->triangles)
+          for (const std::uint32_t v : r_.triangles[t]) box->extend(r_.vertices[v]);
+      for (Box3* box : {&one, &other}) box->min()[p.axis] = box->max()[p.axis] = 0;
+      return one.exteriorDistance(other) <= 2 * room;
+    };
+    std::vector<std::vector<std::size_t>> partners(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      for (std::size_t j = 0; j < parts_.size(); ++j)
+        if (!parts_[i].witnessed && !parts_[j].witnessed && parts_[i].axis == parts_[j].axis && parts_[i].end != parts_[j].end && near(parts_[i], parts_[j])) partners[i].push_back(j);
+    const auto all_on = [&](const std::vector<std::size_t>& some, std::uint32_t surface) {
+      return !some.empty() && std::all_of(some.begin(), some.end(), [&](std::size_t k) { return parts_[k].surface == surface; });
+    };
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (partners[i].empty()) continue;
+      const std::uint32_t other = parts_[partners[i].front()].surface;
+      if (!all_on(partners[i], other) || !std::all_of(partners[i].begin(), partners[i].end(), [&](std::size_t k) { return all_on(partners[k], parts_[i].surface); })) continue;
+      shells_.join(parts_[i].surface, other);
+      parts_[i].witnessed = true;   // and its partners in their turn
     }
   }
 
