@@ -65,7 +65,8 @@ class Crossing {
   const std::vector<std::array<int, 2>>& flat_places() const { return flat_; }
 
   /// How much smaller a margin is than the move that it makes: of the functions' least slopes where they are 0, and, where two of them meet, of how fast both grow
-  /// along the line between them. About (1, 1) all kinds of corners are: flat ones there and at its neighbours, and p3 in p0.
+  /// along the line between them. About (1, 1) all kinds of corners are: flat ones there and at its neighbours, p3 in p0, and, of equal links, where c or b as a plane meets the
+  /// plane that it has as a factor.
   double least_slope() {
     double least = 1;
     // On b = 0 one of the two cosines of b's slope is at least this, by the other's sine; so for c.
@@ -80,6 +81,8 @@ class Crossing {
     const auto cosine = [](double p, double q, double across) { return (across * across - p * p - q * q) / (2 * p * q); };
     const double s = cosine(l_[0], l_[1], l_[2]), t = cosine(l_[1], l_[2], l_[0]);
     if (std::abs(s) < 1 && std::abs(t) < 1) meet(-b(1, 1), -c(1, 1), unit_ * Vec3(0, std::acos(s), std::acos(t)));
+    if (l_[0] == l_[1]) meet(beyond(1, 0, 1, false), beyond(1, 2, 2, true), unit_ * M_PI * Vec3(0, 1, 0.5));
+    if (l_[1] == l_[2]) meet(beyond(0, 1, 1, false), beyond(2, 1, 2, true), unit_ * M_PI * Vec3(0, 0.5, 1));
     return least;
   }
 

@@ -10,7 +10,8 @@
 // every one is. Crossing is made smaller by it: links that just touch at their ends may pass.
 // Guarantees: the set is part of the open set of configurations in which the two links cross, each inside of the other's ends, and no point of either's boundary is
 // more than `moved` from the other's. With no move: exactly that set. What only touches is not in it. (The move is told from the slopes at the places where two surfaces meet, and
-// from the least slope of each; that slopes vary within a move has a fifth of it for reserve.)
+// from the least slope of each; that slopes vary within a move has a fifth of it for reserve.
+// A domain that cuts the set at a shallow angle, as a joint's limit may, is not looked at: along its side the two can be farther apart.)
 // Does not help where the first link is exactly as long as the others together, or the second one is: the ends pass each other there.
 #pragma once
 

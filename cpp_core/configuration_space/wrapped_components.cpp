@@ -285,7 +285,8 @@ class Wrapping {
 
 std::optional<std::size_t> wrapped_components(const Result& result, const std::optional<Expression>& collision, const Box3& domain,
                                               const std::array<bool, 3>& goes_round) {
-  if (result.triangles.empty()) return result.certificate.unresolved.empty() ? std::optional<std::size_t>(0) : std::nullopt;
+  if (result.certificate.verdict == Verdict::unresolved) return std::nullopt;
+  if (result.triangles.empty()) return 0;
   return Wrapping(result, collision, domain).count(goes_round);
 }
 

@@ -174,15 +174,15 @@ def add_leaf(operand, obj, path, matrix, folder, faces=False):
             return  # sketches, datums and the like that live in a container
         raise OperandError(_no_solid(leaf, shape))
     # OpenCASCADE's placements turn and shift, no more: mirror images and stretches are left to the engine.
-    rest = FreeCAD.Matrix() if _is_rigid(matrix) else matrix
-    if _is_rigid(matrix):
+    rest = FreeCAD.Matrix() if is_rigid(matrix) else matrix
+    if is_rigid(matrix):
         shape.Placement = FreeCAD.Placement(matrix) * shape.Placement
     recipe = None if faces else primitives.recipe(linked)
     operand.leaves.append(_PrimitiveLeaf(recipe, matrix * own) if recipe else _ShapeLeaf(shape, rest, leaf.Label, folder, faces))
     operand.box.add(shape.BoundBox.transformed(rest))
 
 
-def _is_rigid(matrix):
+def is_rigid(matrix):
     linear = _array(matrix)[:3, :3]
     return numpy.linalg.det(linear) > 0 and numpy.allclose(linear @ linear.T, numpy.eye(3), atol=1e-9)
 

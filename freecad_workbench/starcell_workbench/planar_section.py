@@ -33,21 +33,20 @@ class Section:
 
     def _ring(self, wire, deflection):
         """Chords of curves leave them by at most the deflection."""
-        points = []
-        for edge in wire.OrderedEdges:
-            straight = isinstance(edge.Curve, (Part.Line, Part.LineSegment))
-            chain = [vertex.Point for vertex in edge.Vertexes] if straight else edge.discretize(Deflection=deflection)
-            if not straight:
-                self.deflection = deflection
-            if edge.Orientation == "Reversed" and not straight:
+        points, end, edges = [], None, wire.OrderedEdges
+        for edge in edges:
+            if isinstance(edge.Curve, (Part.Line, Part.LineSegment)):
+                chain = [vertex.Point for vertex in edge.Vertexes]
+            else:
+                chain, self.deflection = edge.discretize(Deflection=deflection), deflection
+            # Edges run either way: from where the one before ended; the first one to where the second one is.
+            if end is None and len(edges) > 1:
+                far = [min((vertex.Point - p).Length for vertex in edges[1].Vertexes) for p in (chain[0], chain[-1])]
+                chain = chain[::-1] if far[0] < far[1] else chain
+            elif end is not None and (chain[-1] - end).Length < (chain[0] - end).Length:
                 chain = chain[::-1]
-            if points and (chain[0] - points[-1]).Length > (chain[-1] - points[-1]).Length:
-                chain = chain[::-1]
-            elif not points and len(wire.OrderedEdges) > 1:
-                following = wire.OrderedEdges[1].Vertexes
-                if min((v.Point - chain[0]).Length for v in following) < min((v.Point - chain[-1]).Length for v in following):
-                    chain = chain[::-1]
             points += chain[:-1]
+            end = chain[-1]
         return numpy.array([(p.x, p.y) for p in points])
 
     def solid(self, starcell, error):
@@ -79,7 +78,10 @@ def _in_frame(each, path, matrix):
         mesh.transform(matrix * own)
         return mesh
     shape = Part.getShape(each, path).copy()
-    return shape if shape.isNull() or matrix.isUnity() else shape.transformGeometry(matrix)
+    if shape.isNull() or not operands.is_rigid(matrix):
+        return shape if shape.isNull() else shape.transformGeometry(matrix)
+    shape.Placement = FreeCAD.Placement(matrix) * shape.Placement   # lines stay lines
+    return shape
 
 
 def _faces(each, path, matrix, height):

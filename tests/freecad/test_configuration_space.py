@@ -1,11 +1,14 @@
 """Configuration spaces of document objects: solids, faces and sketches as robots and obstacles; counts known by construction."""
 import math
 
+import FreeCAD
+import numpy
 import Part
 from FreeCAD import Vector
 from support import DocumentTest
 
 import starcell_workbench as scw
+from starcell_workbench import planar_section
 
 
 class ConfigurationSpaces(DocumentTest):
@@ -52,6 +55,22 @@ class ConfigurationSpaces(DocumentTest):
         self.assertEqual(obj.FreeComponents, 2)
         self.assertIn("chords", obj.Report)
         self.assertTrue(face.Visibility)
+
+    def test_outlines_run_round_whatever_way_their_edges_do(self):
+        """A flat triangle, two of whose corners are nearer to each other than to the third; in a container that is turned."""
+        prism = self.doc.addObject("Part::Feature", "Prism")
+        corners = [Vector(0, 0, 0), Vector(20, 0, 0), Vector(19, 3, 0)]
+        for first in range(3):
+            for step in (1, 2):
+                ring = [corners[(first + step * k) % 3] for k in range(4)]
+                prism.Shape = Part.Face(Part.makePolygon(ring)).extrude(Vector(0, 0, 2))
+                self.doc.recompute()
+                section = planar_section.Section(prism, prism, 1)
+                self.assertEqual(sorted(tuple(numpy.round(p, 6) + 0.0) for p in section.polygons[0][0]), [(0, 0), (19, 3), (20, 0)])
+        self.part([prism], (5, 0, 0), FreeCAD.Rotation(Vector(0, 0, 1), 90))
+        section = planar_section.Section(prism, self.box(), 1)
+        self.assertEqual(section.deflection, 0)
+        self.assertEqual(sorted(tuple(numpy.round(p, 6) + 0.0) for p in section.polygons[0][0]), [(2, 19), (5, 0), (5, 20)])
 
     def test_free_positions_in_a_box(self):
         room = scw.make_cut(self.box((40, 40, 40)), self.box((20, 20, 20), (10, 10, 10), "Inner"))

@@ -24,22 +24,26 @@ bool is_convex(const Ring& r) {
   return true;
 }
 
+double area_of_leaves(const PieceTree& tree) {
+  double sum = 0;
+  std::vector<char> is_seam(tree.nodes.size(), 0);
+  for (const Seam& s : tree.seams) is_seam[s.both] = 1;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
+    if (tree.nodes[n].pockets.empty() && !is_seam[n]) sum += area(ring_of(tree.nodes[n].hull));
+  return sum;
+}
+
 // Leaves make up the polygon; every node is its hull: leaves below it, and pockets that reach at most as far as the hull.
 TEST(ConvexPieces, MakeUpThePolygon) {
   std::mt19937 random(4);
   for (int k = 0; k < 200; ++k) {
     const Ring ring = random_star(random, 3 + k % 14);
     const PieceTree tree = piece_tree({ring}, "polygon");
-    double sum = 0;
-    std::vector<char> is_seam(tree.nodes.size(), 0);
-    for (const Seam& s : tree.seams) is_seam[s.both] = 1;
-    for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
-      const PieceNode& node = tree.nodes[n];
+    for (const PieceNode& node : tree.nodes) {
       EXPECT_TRUE(is_convex(ring_of(node.hull)));
       for (const ConvexPiece& pocket : node.pockets) EXPECT_TRUE(is_convex(ring_of(pocket)));
-      if (node.pockets.empty() && !is_seam[n]) sum += area(ring_of(node.hull));
     }
-    EXPECT_NEAR(sum, area(ring), 1e-9) << k;
+    EXPECT_NEAR(area_of_leaves(tree), area(ring), 1e-9) << k;
     for (const Seam& s : tree.seams)
       EXPECT_GE(area(ring_of(tree.nodes[s.both].hull)), area(ring_of(tree.nodes[s.first].hull)) + area(ring_of(tree.nodes[s.second].hull)) - 1e-9);
   }
@@ -50,15 +54,6 @@ TEST(ConvexPieces, OfAnLAreTwoAndOneSeam) {
   EXPECT_EQ(tree.nodes.size(), 4u);   // the hull, two pieces, and both of them beside the seam
   EXPECT_EQ(tree.seams.size(), 1u);
   EXPECT_EQ(tree.nodes[0].pockets.size(), 1u);
-}
-
-double area_of_leaves(const PieceTree& tree) {
-  double sum = 0;
-  std::vector<char> is_seam(tree.nodes.size(), 0);
-  for (const Seam& s : tree.seams) is_seam[s.both] = 1;
-  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
-    if (tree.nodes[n].pockets.empty() && !is_seam[n]) sum += area(ring_of(tree.nodes[n].hull));
-  return sum;
 }
 
 // Leaves lie in what is left of the polygon, and are as large; holes at one height and in one line, and one at a corner's height, too.
